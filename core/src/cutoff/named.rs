@@ -1,0 +1,78 @@
+//! A cut-off chosen while the program runs.
+
+use super::{CubicSpline, CutOff, QuinticSpline, RootFree, WendlandC2, WendlandC4, WendlandC6};
+use crate::scalar::{Number, Scalar};
+
+macro_rules! named {
+    ($($(#[$doc:meta])* $variant:ident => $value:expr, $name:literal;)*) => {
+        /// Any of the cut-offs, by name. Gives the bits of the cut-off it names; a law that
+        /// is compiled for one cut-off is faster.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Named {
+            $($(#[$doc])* $variant,)*
+        }
+
+        impl Named {
+            /// Every name, in the order of the documentation.
+            pub const NAMES: &'static [&'static str] = &[$($name,)*];
+
+            /// The cut-off of that name.
+            pub fn from_name(name: &str) -> Option<Self> {
+                match name {
+                    $($name => Some(Self::$variant),)*
+                    _ => None,
+                }
+            }
+            /// The name in scenario files.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $name,)*
+                }
+            }
+        }
+
+        impl CutOff for Named {
+            fn support(self) -> u32 {
+                match self { $(Self::$variant => $value.support(),)* }
+            }
+            fn normalisation<const D: usize>(self) -> f64 {
+                match self { $(Self::$variant => $value.normalisation::<D>(),)* }
+            }
+            #[inline]
+            fn value<const D: usize, N: Number>(self, a: N) -> N {
+                match self { $(Self::$variant => $value.value::<D, N>(a),)* }
+            }
+            #[inline]
+            fn gradient<const D: usize, N: Number>(self, a: N) -> N {
+                match self { $(Self::$variant => $value.gradient::<D, N>(a),)* }
+            }
+            #[inline]
+            fn curvature<const D: usize, N: Number>(self, a: N) -> N {
+                match self { $(Self::$variant => $value.curvature::<D, N>(a),)* }
+            }
+            #[inline]
+            fn argument<N: Number>(self, distance_squared: N) -> N {
+                match self { $(Self::$variant => $value.argument(distance_squared),)* }
+            }
+            #[inline]
+            fn scale<S: Scalar>(self, inverse_epsilon: S) -> S {
+                match self { $(Self::$variant => $value.scale(inverse_epsilon),)* }
+            }
+        }
+    };
+}
+
+named! {
+    /// [`CubicSpline`], M4.
+    CubicSpline => CubicSpline, "cubic-spline";
+    /// [`QuinticSpline`], M6.
+    QuinticSpline => QuinticSpline, "quintic-spline";
+    /// [`WendlandC2`].
+    WendlandC2 => WendlandC2, "wendland-c2";
+    /// [`WendlandC4`].
+    WendlandC4 => WendlandC4, "wendland-c4";
+    /// [`WendlandC6`].
+    WendlandC6 => WendlandC6, "wendland-c6";
+    /// [`RootFree`] with exponent 4.
+    RootFree => RootFree::<4>, "root-free";
+}

@@ -1,0 +1,63 @@
+//! The quintic B-spline M6.
+
+use core::f64::consts::PI;
+
+use super::{CutOff, positive, square};
+use crate::scalar::Number;
+
+/// M6 (Schoenberg), support 3ε, four times continuously differentiable:
+///
+/// `z(q) = (3-q)₊⁵ - 6 (2-q)₊⁵ + 15 (1-q)₊⁵`, `σ = 1/120, 7/(478π), 1/(120π)`.
+///
+/// In fixed point it needs at least 9 integer bits: the sums reach about 66 times the
+/// number density.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct QuinticSpline;
+
+impl CutOff for QuinticSpline {
+    #[inline(always)]
+    fn support(self) -> u32 {
+        3
+    }
+
+    fn normalisation<const D: usize>(self) -> f64 {
+        match D {
+            1 => 1.0 / 120.0,
+            2 => 7.0 / (478.0 * PI),
+            _ => 1.0 / (120.0 * PI),
+        }
+    }
+
+    #[inline(always)]
+    fn value<const D: usize, N: Number>(self, q: N) -> N {
+        let (a, b, c) = terms(q);
+        let fifth = |t: N| square(square(t)) * t;
+        fifth(a) - N::literal(6.0) * fifth(b) + N::literal(15.0) * fifth(c)
+    }
+
+    /// `-5 [(3-p)₊⁴ - 6 (2-p)₊⁴]/p + c (50 c² - 30 c - 90)` with `p = max(q, 1)`,
+    /// `c = (1-q)₊`: the pieces of `z'/q` without a singularity at 0.
+    #[inline(always)]
+    fn gradient<const D: usize, N: Number>(self, q: N) -> N {
+        let p = q.max(N::literal(1.0));
+        let (a, b, _) = terms(p);
+        let c = positive(N::literal(1.0) - q);
+        let outer = square(square(a)) - N::literal(6.0) * square(square(b));
+        let inner = (N::literal(50.0) * c - N::literal(30.0)) * c - N::literal(90.0);
+        N::literal(-5.0) * outer / p + c * inner
+    }
+
+    #[inline(always)]
+    fn curvature<const D: usize, N: Number>(self, q: N) -> N {
+        let (a, b, c) = terms(q);
+        let cube = |t: N| square(t) * t;
+        N::literal(20.0) * (cube(a) - N::literal(6.0) * cube(b) + N::literal(15.0) * cube(c))
+    }
+}
+
+/// `(3-q)₊`, `(2-q)₊`, `(1-q)₊`.
+#[inline(always)]
+fn terms<N: Number>(q: N) -> (N, N, N) {
+    let term = |edge: f64| positive(N::literal(edge) - q);
+    (term(3.0), term(2.0), term(1.0))
+}

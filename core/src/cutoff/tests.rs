@@ -1,0 +1,190 @@
+//! The properties that (2.5) and (1.22) ask of every cut-off, in every dimension and scalar.
+
+use approx::assert_abs_diff_eq;
+
+use super::*;
+use crate::scalar::{Micro, Q32, Q64};
+use fixed::types::extra::{U19, U31};
+
+const ALL: [Named; 6] = [
+    Named::CubicSpline,
+    Named::QuinticSpline,
+    Named::WendlandC2,
+    Named::WendlandC4,
+    Named::WendlandC6,
+    Named::RootFree,
+];
+
+/// `ζ(x)` and `dζ/dq`, normalised, at distance `q`.
+fn zeta<S: Scalar, const D: usize>(cut_off: Named, q: f64) -> (f64, f64) {
+    let a = cut_off.argument(S::from_f64(q) * S::from_f64(q));
+    let sigma = cut_off.normalisation::<D>();
+    let value = cut_off.value::<D, S>(a).to_f64();
+    let slope = cut_off.gradient::<D, S>(a).to_f64() * q;
+    (sigma * value, sigma * slope)
+}
+
+/// `∫ |x|^power ζ dx` over R^D by the midpoint rule.
+fn moment<S: Scalar, const D: usize>(cut_off: Named, power: i32) -> f64 {
+    let area = [
+        2.0,
+        2.0 * core::f64::consts::PI,
+        4.0 * core::f64::consts::PI,
+    ][D - 1];
+    let n = 4000;
+    let dq = f64::from(cut_off.support()) / f64::from(n);
+    let ring = |i| {
+        let q = (f64::from(i) + 0.5) * dq;
+        q.powi(power + D as i32 - 1) * zeta::<S, D>(cut_off, q).0
+    };
+    area * dq * (0..n).map(ring).sum::<f64>()
+}
+
+/// Checks one scalar; `rounding` is the error of one operation in it.
+fn check<S: Scalar, const D: usize>(rounding: f64) {
+    for cut_off in ALL {
+        let name = cut_off.name();
+        let s = f64::from(cut_off.support());
+        // The largest intermediate over the value at 0: 3^5 of the quintic spline.
+        let bound = 243.0 * 8.0 * rounding + 2e-6;
+        assert_abs_diff_eq!(moment::<S, D>(cut_off, 0), 1.0, epsilon = bound);
+
+        // C1 at the edge and beyond: exactly nothing.
+        for q in [s, s + 0.25, 4.0] {
+            assert_eq!(zeta::<S, D>(cut_off, q), (0.0, 0.0), "{name} at {q}");
+        }
+        let (value, slope) = zeta::<S, D>(cut_off, s - 1e-3);
+        assert!(
+            value.abs() < 1e-4 + bound && slope.abs() < 1e-2 + bound,
+            "{name}: {value} {slope}"
+        );
+
+        for i in 1..100 {
+            let q = s * (f64::from(i) + 0.37) / 100.0;
+            let d = 1e-2 * s;
+            let (at, slope) = zeta::<S, D>(cut_off, q);
+            assert!(
+                at >= -bound && slope <= bound,
+                "{name} falls from a positive value"
+            );
+            // The gradient is the derivative of the value: integrate it over a small step.
+            let step: f64 = (0..20)
+                .map(|j| zeta::<S, D>(cut_off, q - d + 2.0 * d * (f64::from(j) + 0.5) / 20.0).1)
+                .sum::<f64>()
+                * d
+                / 10.0;
+            let rise = zeta::<S, D>(cut_off, q + d).0 - zeta::<S, D>(cut_off, q - d).0;
+            assert_abs_diff_eq!(rise, step, epsilon = bound + 1e-5);
+        }
+    }
+}
+
+macro_rules! every_dimension {
+    ($name:ident, $scalar:ty, $rounding:expr) => {
+        #[test]
+        fn $name() {
+            check::<$scalar, 1>($rounding);
+            check::<$scalar, 2>($rounding);
+            check::<$scalar, 3>($rounding);
+        }
+    };
+}
+every_dimension!(
+    unit_integral_smooth_edge_and_derivative_in_f64,
+    f64,
+    1.2e-16
+);
+every_dimension!(unit_integral_smooth_edge_and_derivative_in_f32, f32, 6e-8);
+every_dimension!(
+    unit_integral_smooth_edge_and_derivative_in_q12_19,
+    Q32<U19>,
+    1e-6
+);
+every_dimension!(
+    unit_integral_smooth_edge_and_derivative_in_q32_31,
+    Q64<U31>,
+    2.4e-10
+);
+
+#[test]
+fn approximate_roots_move_the_integral_by_no_more_than_their_error() {
+    // micromath's root is off by up to 6 %, on either side; the D-th power of it moves the volume.
+    for cut_off in ALL {
+        let off = moment::<Micro, 2>(cut_off, 0) - 1.0;
+        assert!(off.abs() < 2.0 * 0.06, "{}: {off}", cut_off.name());
+    }
+    assert_abs_diff_eq!(moment::<Micro, 2>(Named::RootFree, 0), 1.0, epsilon = 1e-4);
+}
+
+/// Even functions have no odd moments; the second one is not zero: order r = 2 exactly.
+#[test]
+fn the_order_is_two_and_no_more() {
+    for cut_off in ALL {
+        for (d, second) in [
+            moment::<f64, 1>(cut_off, 2),
+            moment::<f64, 2>(cut_off, 2) / 2.0,
+            moment::<f64, 3>(cut_off, 2) / 3.0,
+        ]
+        .into_iter()
+        .enumerate()
+        {
+            assert!(
+                second > 0.05 && second < 0.6,
+                "{} in {}D: {second}",
+                cut_off.name(),
+                d + 1
+            );
+        }
+    }
+}
+
+/// ζ depends on |x|² alone, so ζ(-x) = ζ(x) to the bit, whatever the displacement.
+#[test]
+fn every_cut_off_is_even_to_the_bit() {
+    fn bits<S: Scalar>(cut_off: Named, x: [f64; 3], sign: f64) -> [u64; 2] {
+        let r = x.map(|x| S::from_f64(sign * x));
+        let a = cut_off.argument(S::length_squared(&r));
+        [
+            cut_off.value::<3, S>(a).bits(),
+            cut_off.gradient::<3, S>(a).bits(),
+        ]
+    }
+    for cut_off in ALL {
+        for i in 0..50 {
+            let x = [0.021 * f64::from(i), -0.013 * f64::from(i), 0.4];
+            assert_eq!(bits::<f32>(cut_off, x, 1.0), bits::<f32>(cut_off, x, -1.0));
+            assert_eq!(bits::<f64>(cut_off, x, 1.0), bits::<f64>(cut_off, x, -1.0));
+            assert_eq!(
+                bits::<Q32<U19>>(cut_off, x, 1.0),
+                bits::<Q32<U19>>(cut_off, x, -1.0)
+            );
+        }
+    }
+}
+
+#[test]
+fn the_curvature_is_the_derivative_of_the_slope() {
+    fn check<const D: usize>(cut_off: Named) {
+        let s = f64::from(cut_off.support());
+        let slope = |q: f64| cut_off.gradient::<D, f64>(cut_off.argument(q * q)) * q;
+        for i in 1..50 {
+            let (q, d) = (s * (f64::from(i) + 0.21) / 50.0, 1e-5);
+            let expected = (slope(q + d) - slope(q - d)) / (2.0 * d);
+            let curvature = cut_off.curvature::<D, f64>(cut_off.argument(q * q));
+            assert_abs_diff_eq!(curvature, expected, epsilon = 1e-5 * (1.0 + expected.abs()));
+        }
+    }
+    for cut_off in ALL {
+        check::<1>(cut_off);
+        check::<2>(cut_off);
+        check::<3>(cut_off);
+    }
+}
+
+#[test]
+fn names_lead_back_to_their_cut_offs() {
+    for name in Named::NAMES {
+        assert_eq!(Named::from_name(name).map(Named::name), Some(*name));
+    }
+    assert_eq!(Named::from_name("gauss"), None);
+}

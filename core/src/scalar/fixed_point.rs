@@ -1,0 +1,256 @@
+//! Fixed point with symmetric rounding over [`fixed::FixedI32`] and [`fixed::FixedI64`].
+//!
+//! Differs from `fixed`'s own operators: its `*` rounds towards minus infinity, so
+//! `(-a)*b != -(a*b)` and equal and opposite forces would not cancel. Here products and
+//! quotients round to nearest, ties away from zero. Sums wrap, which keeps them
+//! associative; [`super::Checked`] reports where they would. Quotients saturate, and
+//! `x/0` is the largest value of the sign of `x`.
+
+use core::cmp::Ordering;
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+use fixed::types::extra::Unsigned;
+use fixed::{FixedI32, FixedI64};
+
+use super::{Number, Scalar};
+
+macro_rules! fixed_point {
+    ($(#[$doc:meta])* $name:ident, $fixed:ident, $int:ty, $unsigned:ty, $wide:ty, $wide_unsigned:ty, $bits:literal) => {
+        $(#[$doc])*
+        ///
+        /// Formats that make sense have at least 8 integer bits (sums over neighbours) and
+        /// 8 fractional bits.
+        #[derive(Clone, Copy, Default)]
+        #[repr(transparent)]
+        pub struct $name<F: Unsigned>(pub $fixed<F>);
+
+        impl<F: Unsigned> $name<F> {
+            const FRACTION: u32 = F::U32;
+            const HALF: $wide = (1 << Self::FRACTION) >> 1;
+            // 3 r² < 2^(bits-1) in this format.
+            const LIMIT: $int =
+                (((1 as $wide_unsigned) << ($bits - 1 + Self::FRACTION)) / 3).isqrt() as $int - 1;
+
+            /// The number with this bit pattern: `bits / 2^F`.
+            #[inline(always)]
+            pub const fn from_bits(bits: $int) -> Self {
+                Self($fixed::from_bits(bits))
+            }
+            /// The bit pattern: `self * 2^F`.
+            #[inline(always)]
+            pub const fn to_bits(self) -> $int {
+                self.0.to_bits()
+            }
+            /// A double-width product or sum of products, rounded half away from zero.
+            #[inline(always)]
+            fn rounded(product: $wide) -> Self {
+                // Adding -1 to negative products makes the floor of >> symmetric.
+                let sign = product >> (2 * $bits - 1);
+                let sum = product.wrapping_add(Self::HALF).wrapping_add(sign);
+                Self::from_bits((sum >> Self::FRACTION) as $int)
+            }
+        }
+
+        impl<F: Unsigned> PartialEq for $name<F> {
+            #[inline(always)]
+            fn eq(&self, other: &Self) -> bool {
+                self.to_bits() == other.to_bits()
+            }
+        }
+        impl<F: Unsigned> Eq for $name<F> {}
+        impl<F: Unsigned> PartialOrd for $name<F> {
+            #[inline(always)]
+            fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+                Some(self.cmp(other))
+            }
+        }
+        impl<F: Unsigned> Ord for $name<F> {
+            #[inline(always)]
+            fn cmp(&self, other: &Self) -> Ordering {
+                self.to_bits().cmp(&other.to_bits())
+            }
+        }
+
+        impl<F: Unsigned> core::fmt::Debug for $name<F> {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                core::fmt::Debug::fmt(&self.0, f)
+            }
+        }
+
+        impl<F: Unsigned> Add for $name<F> {
+            type Output = Self;
+            #[inline(always)]
+            fn add(self, other: Self) -> Self {
+                Self::from_bits(self.to_bits().wrapping_add(other.to_bits()))
+            }
+        }
+        impl<F: Unsigned> Sub for $name<F> {
+            type Output = Self;
+            #[inline(always)]
+            fn sub(self, other: Self) -> Self {
+                Self::from_bits(self.to_bits().wrapping_sub(other.to_bits()))
+            }
+        }
+        impl<F: Unsigned> Neg for $name<F> {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                Self::from_bits(self.to_bits().wrapping_neg())
+            }
+        }
+        impl<F: Unsigned> Mul for $name<F> {
+            type Output = Self;
+            #[inline(always)]
+            fn mul(self, other: Self) -> Self {
+                Self::rounded(self.to_bits() as $wide * other.to_bits() as $wide)
+            }
+        }
+        impl<F: Unsigned> Div for $name<F> {
+            type Output = Self;
+            #[inline(always)]
+            fn div(self, other: Self) -> Self {
+                let negative = (self.to_bits() < 0) != (other.to_bits() < 0);
+                let below = other.to_bits().unsigned_abs();
+                let above = (self.to_bits().unsigned_abs() as $wide_unsigned) << Self::FRACTION;
+                let rounded_up = above + (below >> 1) as $wide_unsigned;
+                let quotient = match rounded_up.checked_div(below as $wide_unsigned) {
+                    Some(quotient) => quotient.min(<$int>::MAX as $wide_unsigned) as $int,
+                    None if self.to_bits() == 0 => 0,
+                    None => <$int>::MAX,
+                };
+                Self::from_bits(if negative { quotient.wrapping_neg() } else { quotient })
+            }
+        }
+        impl<F: Unsigned> AddAssign for $name<F> {
+            #[inline(always)]
+            fn add_assign(&mut self, other: Self) {
+                *self = *self + other;
+            }
+        }
+        impl<F: Unsigned> SubAssign for $name<F> {
+            #[inline(always)]
+            fn sub_assign(&mut self, other: Self) {
+                *self = *self - other;
+            }
+        }
+
+        impl<F: Unsigned + Copy + Send + Sync + 'static> Number for $name<F> {
+            type Scalar = Self;
+            const LANES: usize = 1;
+
+            #[inline(always)]
+            fn splat(value: Self) -> Self {
+                value
+            }
+            #[inline(always)]
+            fn from_lanes(mut value: impl FnMut(usize) -> Self) -> Self {
+                value(0)
+            }
+            #[inline(always)]
+            fn lane(&self, _: usize) -> Self {
+                *self
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                let positive = self.to_bits().max(0) as $wide_unsigned;
+                Self::from_bits((positive << Self::FRACTION).isqrt() as $int)
+            }
+            #[inline(always)]
+            fn min(self, other: Self) -> Self {
+                Self::from_bits(self.to_bits().min(other.to_bits()))
+            }
+            #[inline(always)]
+            fn max(self, other: Self) -> Self {
+                Self::from_bits(self.to_bits().max(other.to_bits()))
+            }
+            #[inline(always)]
+            fn below(self, bound: Self) -> Self {
+                if self < bound { Self::ONE } else { Self::ZERO }
+            }
+            #[inline(always)]
+            fn any_below(self, bound: Self) -> bool {
+                self < bound
+            }
+            #[inline(always)]
+            fn dot<const D: usize>(a: &[Self; D], b: &[Self; D]) -> Self {
+                let mut sum: $wide = 0;
+                for i in 0..D {
+                    sum = sum.wrapping_add(a[i].to_bits() as $wide * b[i].to_bits() as $wide);
+                }
+                Self::rounded(sum)
+            }
+            #[inline(always)]
+            fn length_squared<const D: usize>(r: &[Self; D]) -> Self {
+                let mut sum: $wide = 0;
+                for component in r {
+                    let near = component.to_bits().clamp(-Self::LIMIT, Self::LIMIT) as $wide;
+                    sum += near * near;
+                }
+                Self::rounded(sum)
+            }
+        }
+
+        impl<F: Unsigned + Copy + Send + Sync + 'static> Scalar for $name<F> {
+            const ZERO: Self = Self::from_bits(0);
+            const ONE: Self = Self::from_bits(1 << F::U32);
+            const BYTES: usize = size_of::<$int>();
+            const REACH_LIMIT: Self = Self::from_bits(Self::LIMIT);
+            const CELL_LIMIT: u32 = 1 << 30;
+            const EXTRAPOLATION: Self = Self::from_bits(1 << (F::U32 - F::U32 / 3));
+
+            #[inline(always)]
+            fn from_f64(value: f64) -> Self {
+                let scaled = value * ((1 as $wide_unsigned) << Self::FRACTION) as f64;
+                let half = if scaled < 0.0 { -0.5 } else { 0.5 };
+                Self::from_bits((scaled + half) as $int)
+            }
+            #[inline(always)]
+            fn to_f64(self) -> f64 {
+                self.to_bits() as f64 / ((1 as $wide_unsigned) << Self::FRACTION) as f64
+            }
+            #[inline(always)]
+            fn bits(self) -> u64 {
+                self.to_bits() as $unsigned as u64
+            }
+            #[inline(always)]
+            fn half(self) -> Self {
+                Self::rounded(self.to_bits() as $wide * Self::HALF)
+            }
+            #[inline(always)]
+            fn is_finite(self) -> bool {
+                true
+            }
+            #[inline(always)]
+            fn cells(self, cell: Self) -> u32 {
+                let offset = self.to_bits().max(0) as $unsigned;
+                let index = offset.checked_div(cell.to_bits().max(0) as $unsigned);
+                u32::try_from(index.unwrap_or(0)).unwrap_or(u32::MAX)
+            }
+            #[inline(always)]
+            fn count(n: u32) -> Self {
+                let bits = (n as $wide) << Self::FRACTION;
+                Self::from_bits(bits.min(<$int>::MAX as $wide) as $int)
+            }
+        }
+    };
+}
+
+fixed_point!(
+    /// A 32-bit fixed-point number with `F` fractional bits: Q(31-F).F.
+    Q32, FixedI32, i32, u32, i64, u64, 32
+);
+fixed_point!(
+    /// A 64-bit fixed-point number with `F` fractional bits: Q(63-F).F.
+    Q64, FixedI64, i64, u64, i128, u128, 64
+);
+
+impl<F: Unsigned> From<FixedI32<F>> for Q32<F> {
+    fn from(value: FixedI32<F>) -> Self {
+        Self(value)
+    }
+}
+impl<F: Unsigned> From<FixedI64<F>> for Q64<F> {
+    fn from(value: FixedI64<F>) -> Self {
+        Self(value)
+    }
+}

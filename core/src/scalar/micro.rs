@@ -1,0 +1,138 @@
+//! The approximate scalar: `f32` whose roots come from `micromath`.
+
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+use super::{Number, Scalar};
+
+/// `f32` with the fast approximate square root of `micromath` (off by up to 6 %): for
+/// devices where an exact root costs too much, and to see what such a root does to a
+/// solution. The arithmetic `+ - * /` is that of `f32`.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd, Default)]
+#[repr(transparent)]
+pub struct Micro(pub f32);
+
+macro_rules! operator {
+    ($trait:ident, $method:ident) => {
+        impl $trait for Micro {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self(self.0.$method(other.0))
+            }
+        }
+    };
+}
+operator!(Add, add);
+operator!(Sub, sub);
+operator!(Mul, mul);
+operator!(Div, div);
+
+impl Neg for Micro {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+impl AddAssign for Micro {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        self.0 += other.0;
+    }
+}
+impl SubAssign for Micro {
+    #[inline(always)]
+    fn sub_assign(&mut self, other: Self) {
+        self.0 -= other.0;
+    }
+}
+
+impl Number for Micro {
+    type Scalar = Self;
+    const LANES: usize = 1;
+
+    #[inline(always)]
+    fn splat(value: Self) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn from_lanes(mut value: impl FnMut(usize) -> Self) -> Self {
+        value(0)
+    }
+    #[inline(always)]
+    fn lane(&self, _: usize) -> Self {
+        *self
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        // Named in full: with the trait imported, every `.sqrt()` here could change meaning.
+        // Its root of 0 is a tiny positive number; ours is 0.
+        if self.0 > 0.0 {
+            Self(micromath::F32Ext::sqrt(self.0))
+        } else {
+            Self(0.0)
+        }
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Self(Number::min(self.0, other.0))
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Self(Number::max(self.0, other.0))
+    }
+    #[inline(always)]
+    fn below(self, bound: Self) -> Self {
+        Self(Number::below(self.0, bound.0))
+    }
+    #[inline(always)]
+    fn any_below(self, bound: Self) -> bool {
+        self < bound
+    }
+    #[inline(always)]
+    fn dot<const D: usize>(a: &[Self; D], b: &[Self; D]) -> Self {
+        Self(f32::dot(&a.map(|a| a.0), &b.map(|b| b.0)))
+    }
+    #[inline(always)]
+    fn length_squared<const D: usize>(r: &[Self; D]) -> Self {
+        Self::dot(r, r)
+    }
+}
+
+impl Scalar for Micro {
+    const ZERO: Self = Self(0.0);
+    const ONE: Self = Self(1.0);
+    const BYTES: usize = f32::BYTES;
+    const REACH_LIMIT: Self = Self(f32::REACH_LIMIT);
+    const CELL_LIMIT: u32 = f32::CELL_LIMIT;
+    const EXTRAPOLATION: Self = Self(f32::EXTRAPOLATION);
+
+    #[inline(always)]
+    fn from_f64(value: f64) -> Self {
+        Self(f32::from_f64(value))
+    }
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        f64::from(self.0)
+    }
+    #[inline(always)]
+    fn bits(self) -> u64 {
+        Scalar::bits(self.0)
+    }
+    #[inline(always)]
+    fn half(self) -> Self {
+        Self(self.0.half())
+    }
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        self.0.is_finite()
+    }
+    #[inline(always)]
+    fn cells(self, cell: Self) -> u32 {
+        self.0.cells(cell.0)
+    }
+    #[inline(always)]
+    fn count(n: u32) -> Self {
+        Self(f32::count(n))
+    }
+}

@@ -1,0 +1,119 @@
+//! The arithmetic of the solver: scalars, and lanes of scalars that the compiler vectorises.
+//!
+//! Every equation is written once over [`Number`]. A [`Scalar`] is a number; so is
+//! [`Lanes`], a small array of scalars that are worked on together. Only `+ - * /`,
+//! square roots, minima, maxima and one comparison are used, each defined to the last bit.
+
+mod checked;
+mod fixed_point;
+mod float;
+mod lanes;
+mod micro;
+#[cfg(test)]
+mod tests;
+
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+pub use checked::Checked;
+pub use fixed_point::{Q32, Q64};
+pub use lanes::Lanes;
+pub use micro::Micro;
+
+/// A scalar, or several of them side by side: what a law computes with.
+pub trait Number:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+{
+    /// What one lane holds.
+    type Scalar: Scalar;
+    /// Number of lanes.
+    const LANES: usize;
+
+    /// The same value in every lane.
+    fn splat(value: Self::Scalar) -> Self;
+    /// Lane `i` is `value(i)`.
+    fn from_lanes(value: impl FnMut(usize) -> Self::Scalar) -> Self;
+    /// The value in lane `i`; the last lane where `i` is beyond it.
+    fn lane(&self, i: usize) -> Self::Scalar;
+    /// Square root; 0 for negative arguments in fixed point.
+    fn sqrt(self) -> Self;
+    /// The smaller of two.
+    fn min(self, other: Self) -> Self;
+    /// The larger of two.
+    fn max(self, other: Self) -> Self;
+    /// 1 where `self < bound`, else 0.
+    fn below(self, bound: Self) -> Self;
+    /// Whether any lane is below its bound.
+    fn any_below(self, bound: Self) -> bool;
+    /// `Σ_i a_i b_i`; in fixed point the sum is exact in double width and rounded once.
+    fn dot<const D: usize>(a: &[Self; D], b: &[Self; D]) -> Self;
+    /// `|r|²`, cut off so that it cannot wrap: beyond [`Scalar::REACH_LIMIT`] it is only "far".
+    fn length_squared<const D: usize>(r: &[Self; D]) -> Self;
+
+    /// A constant of a formula, rounded to the format.
+    #[inline(always)]
+    fn literal(value: f64) -> Self {
+        Self::splat(Self::Scalar::from_f64(value))
+    }
+    /// 0 in every lane.
+    #[inline(always)]
+    fn zero() -> Self {
+        Self::splat(Self::Scalar::ZERO)
+    }
+}
+
+/// One number of the solver: `f32`, `f64`, [`Q32`], [`Q64`], [`Micro`] or [`Checked`].
+pub trait Scalar: Number<Scalar = Self> + PartialOrd + Debug + Send + Sync + 'static {
+    /// Zero, all bits clear.
+    const ZERO: Self;
+    /// One.
+    const ONE: Self;
+    /// Width of the bit pattern in bytes.
+    const BYTES: usize;
+    /// Largest component of a displacement whose squared length in 3D does not wrap; the
+    /// largest reach a cloud may have.
+    const REACH_LIMIT: Self;
+    /// Largest number of cells along one direction for which a cell index is still exact
+    /// to 1/64 of a cell.
+    const CELL_LIMIT: u32;
+    /// Largest step in ln ε after which the second-order extrapolation of the density sums
+    /// is as exact as the format: about the cube root of its rounding.
+    const EXTRAPOLATION: Self;
+
+    /// The constant nearest to `value`; ties away from zero in fixed point, saturating.
+    fn from_f64(value: f64) -> Self;
+    /// The value as `f64`, for reports; never used by the solver.
+    fn to_f64(self) -> f64;
+    /// The bit pattern, zero-extended.
+    fn bits(self) -> u64;
+    /// Half of it.
+    fn half(self) -> Self;
+    /// Neither infinite, nor not-a-number, nor marked as overflowed.
+    fn is_finite(self) -> bool;
+    /// `⌊self / cell⌋` as a cell index; 0 where that is negative or undefined.
+    fn cells(self, cell: Self) -> u32;
+    /// `n` as a scalar, saturating.
+    fn count(n: u32) -> Self;
+
+    /// `|self|`.
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Number::max(self, -self)
+    }
+    /// `selfⁿ` by repeated multiplication.
+    #[inline(always)]
+    fn powi(self, n: usize) -> Self {
+        let mut power = Self::ONE;
+        for _ in 0..n {
+            power = power * self;
+        }
+        power
+    }
+}

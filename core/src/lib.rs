@@ -4,4 +4,12 @@
 #![forbid(unsafe_code)]
 
 pub mod cutoff;
+pub mod digest;
+pub mod domain;
+pub mod equation;
+pub mod error;
+pub mod integrator;
+pub mod material;
+pub mod neighbours;
+pub mod pairs;
 pub mod scalar;

@@ -63,7 +63,7 @@ macro_rules! operator {
                 Self::of(
                     self.value.$method(other.value),
                     self.value.to_f64().$method(other.value.to_f64()),
-                    self.overflowed | other.overflowed,
+                    self.overflowed || other.overflowed,
                 )
             }
         }
@@ -153,6 +153,22 @@ impl<S: Scalar> Scalar for Checked<S> {
     const CELL_LIMIT: u32 = S::CELL_LIMIT;
     const EXTRAPOLATION: Self = Self::new(S::EXTRAPOLATION);
 
+    type Wide = Self;
+    fn product(a: Self, b: Self) -> Self {
+        a * b
+    }
+    fn wide_sum(a: Self, b: Self) -> Self {
+        a + b
+    }
+    fn rounded(wide: Self) -> Self {
+        wide
+    }
+    fn near(self) -> Self {
+        Self {
+            value: self.value.near(),
+            ..self
+        }
+    }
     fn from_f64(value: f64) -> Self {
         Self::of(S::from_f64(value), value, false)
     }

@@ -43,7 +43,7 @@ macro_rules! fixed_point {
             }
             /// A double-width product or sum of products, rounded half away from zero.
             #[inline(always)]
-            fn rounded(product: $wide) -> Self {
+            fn round(product: $wide) -> Self {
                 // Adding -1 to negative products makes the floor of >> symmetric.
                 let sign = product >> (2 * $bits - 1);
                 let sum = product.wrapping_add(Self::HALF).wrapping_add(sign);
@@ -102,7 +102,7 @@ macro_rules! fixed_point {
             type Output = Self;
             #[inline(always)]
             fn mul(self, other: Self) -> Self {
-                Self::rounded(self.to_bits() as $wide * other.to_bits() as $wide)
+                Self::round(self.to_bits() as $wide * other.to_bits() as $wide)
             }
         }
         impl<F: Unsigned> Div for $name<F> {
@@ -173,20 +173,16 @@ macro_rules! fixed_point {
             }
             #[inline(always)]
             fn dot<const D: usize>(a: &[Self; D], b: &[Self; D]) -> Self {
-                let mut sum: $wide = 0;
-                for i in 0..D {
-                    sum = sum.wrapping_add(a[i].to_bits() as $wide * b[i].to_bits() as $wide);
+                let mut sum = Self::product(a[0], b[0]);
+                for i in 1..D {
+                    sum = Self::wide_sum(sum, Self::product(a[i], b[i]));
                 }
                 Self::rounded(sum)
             }
             #[inline(always)]
             fn length_squared<const D: usize>(r: &[Self; D]) -> Self {
-                let mut sum: $wide = 0;
-                for component in r {
-                    let near = component.to_bits().clamp(-Self::LIMIT, Self::LIMIT) as $wide;
-                    sum += near * near;
-                }
-                Self::rounded(sum)
+                let near = r.map(Scalar::near);
+                Self::dot(&near, &near)
             }
         }
 
@@ -198,6 +194,23 @@ macro_rules! fixed_point {
             const CELL_LIMIT: u32 = 1 << 30;
             const EXTRAPOLATION: Self = Self::from_bits(1 << (F::U32 - F::U32 / 3));
 
+            type Wide = $wide;
+            #[inline(always)]
+            fn product(a: Self, b: Self) -> $wide {
+                a.to_bits() as $wide * b.to_bits() as $wide
+            }
+            #[inline(always)]
+            fn wide_sum(a: $wide, b: $wide) -> $wide {
+                a.wrapping_add(b)
+            }
+            #[inline(always)]
+            fn rounded(wide: $wide) -> Self {
+                Self::round(wide)
+            }
+            #[inline(always)]
+            fn near(self) -> Self {
+                Self::from_bits(self.to_bits().clamp(-Self::LIMIT, Self::LIMIT))
+            }
             #[inline(always)]
             fn from_f64(value: f64) -> Self {
                 let scaled = value * ((1 as $wide_unsigned) << Self::FRACTION) as f64;
@@ -214,7 +227,7 @@ macro_rules! fixed_point {
             }
             #[inline(always)]
             fn half(self) -> Self {
-                Self::rounded(self.to_bits() as $wide * Self::HALF)
+                Self::round(self.to_bits() as $wide * Self::HALF)
             }
             #[inline(always)]
             fn is_finite(self) -> bool {

@@ -55,15 +55,16 @@ macro_rules! float {
             }
             #[inline(always)]
             fn dot<const D: usize>(a: &[Self; D], b: &[Self; D]) -> Self {
-                let mut sum = a[0] * b[0];
+                let mut sum = Self::product(a[0], b[0]);
                 for i in 1..D {
-                    sum += a[i] * b[i];
+                    sum = Self::wide_sum(sum, Self::product(a[i], b[i]));
                 }
-                sum
+                Self::rounded(sum)
             }
             #[inline(always)]
             fn length_squared<const D: usize>(r: &[Self; D]) -> Self {
-                Self::dot(r, r)
+                let near = r.map(Scalar::near);
+                Self::dot(&near, &near)
             }
         }
 
@@ -75,6 +76,24 @@ macro_rules! float {
             const CELL_LIMIT: u32 = $cells;
             const EXTRAPOLATION: Self = $extrapolation;
 
+            type Wide = Self;
+            #[inline(always)]
+            fn product(a: Self, b: Self) -> Self {
+                a * b
+            }
+            #[inline(always)]
+            fn wide_sum(a: Self, b: Self) -> Self {
+                a + b
+            }
+            #[inline(always)]
+            fn rounded(wide: Self) -> Self {
+                wide
+            }
+            #[inline(always)]
+            fn near(self) -> Self {
+                // Squares of floats within any domain are far from overflow.
+                self
+            }
             #[inline(always)]
             fn from_f64(value: f64) -> Self {
                 value as $float

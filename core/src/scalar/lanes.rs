@@ -110,28 +110,30 @@ impl<S: Scalar, const L: usize> Number for Lanes<S, L> {
     }
     #[inline(always)]
     fn dot<const D: usize>(a: &[Self; D], b: &[Self; D]) -> Self {
+        // Component by component, all lanes at once: the order that the compiler vectorises.
+        let mut sum = [S::product(S::ZERO, S::ZERO); L];
+        for i in 0..L {
+            sum[i] = S::product(a[0].0[i], b[0].0[i]);
+        }
+        for j in 1..D {
+            for i in 0..L {
+                sum[i] = S::wide_sum(sum[i], S::product(a[j].0[i], b[j].0[i]));
+            }
+        }
         let mut result = Self::zero();
         for i in 0..L {
-            let mut a_i = [S::ZERO; D];
-            let mut b_i = [S::ZERO; D];
-            for j in 0..D {
-                a_i[j] = a[j].0[i];
-                b_i[j] = b[j].0[i];
-            }
-            result.0[i] = S::dot(&a_i, &b_i);
+            result.0[i] = S::rounded(sum[i]);
         }
         result
     }
     #[inline(always)]
     fn length_squared<const D: usize>(r: &[Self; D]) -> Self {
-        let mut result = Self::zero();
-        for i in 0..L {
-            let mut r_i = [S::ZERO; D];
-            for j in 0..D {
-                r_i[j] = r[j].0[i];
+        let mut near = *r;
+        for component in &mut near {
+            for i in 0..L {
+                component.0[i] = component.0[i].near();
             }
-            result.0[i] = S::length_squared(&r_i);
         }
-        result
+        Self::dot(&near, &near)
     }
 }

@@ -91,11 +91,16 @@ impl Number for Micro {
     }
     #[inline(always)]
     fn dot<const D: usize>(a: &[Self; D], b: &[Self; D]) -> Self {
-        Self(f32::dot(&a.map(|a| a.0), &b.map(|b| b.0)))
+        let mut sum = Self::product(a[0], b[0]);
+        for i in 1..D {
+            sum = Self::wide_sum(sum, Self::product(a[i], b[i]));
+        }
+        Self::rounded(sum)
     }
     #[inline(always)]
     fn length_squared<const D: usize>(r: &[Self; D]) -> Self {
-        Self::dot(r, r)
+        let near = r.map(Scalar::near);
+        Self::dot(&near, &near)
     }
 }
 
@@ -107,6 +112,23 @@ impl Scalar for Micro {
     const CELL_LIMIT: u32 = f32::CELL_LIMIT;
     const EXTRAPOLATION: Self = Self(f32::EXTRAPOLATION);
 
+    type Wide = Self;
+    #[inline(always)]
+    fn product(a: Self, b: Self) -> Self {
+        a * b
+    }
+    #[inline(always)]
+    fn wide_sum(a: Self, b: Self) -> Self {
+        a + b
+    }
+    #[inline(always)]
+    fn rounded(wide: Self) -> Self {
+        wide
+    }
+    #[inline(always)]
+    fn near(self) -> Self {
+        self
+    }
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
         Self(f32::from_f64(value))

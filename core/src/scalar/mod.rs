@@ -87,6 +87,17 @@ pub trait Scalar: Number<Scalar = Self> + PartialOrd + Debug + Send + Sync + 'st
     /// is as exact as the format: about the cube root of its rounding.
     const EXTRAPOLATION: Self;
 
+    /// What an exact product of two scalars is kept in: double width in fixed point.
+    type Wide: Copy;
+    /// `a b`, exact where [`Self::Wide`] is wider.
+    fn product(a: Self, b: Self) -> Self::Wide;
+    /// The sum of two products.
+    fn wide_sum(a: Self::Wide, b: Self::Wide) -> Self::Wide;
+    /// A sum of products, rounded once.
+    fn rounded(wide: Self::Wide) -> Self;
+    /// A component of a displacement, cut off at ±[`Scalar::REACH_LIMIT`].
+    fn near(self) -> Self;
+
     /// The constant nearest to `value`; ties away from zero in fixed point, saturating.
     fn from_f64(value: f64) -> Self;
     /// The value as `f64`, for reports; never used by the solver.
@@ -106,6 +117,16 @@ pub trait Scalar: Number<Scalar = Self> + PartialOrd + Debug + Send + Sync + 'st
     #[inline(always)]
     fn abs(self) -> Self {
         Number::max(self, -self)
+    }
+    /// The smaller of two; a name for `reduce` where `Ord::min` is near.
+    #[inline(always)]
+    fn lesser(self, other: Self) -> Self {
+        Number::min(self, other)
+    }
+    /// The larger of two.
+    #[inline(always)]
+    fn greater(self, other: Self) -> Self {
+        Number::max(self, other)
     }
     /// `selfⁿ` by repeated multiplication.
     #[inline(always)]

@@ -77,7 +77,8 @@ proptest! {
     #[test]
     fn lanes_do_what_their_scalar_does(a in any::<[f32; 5]>(), b in any::<[f32; 5]>()) {
         let (x, y) = (Lanes(a), Lanes(b));
-        let pairs: [(Lanes<f32, 5>, fn(f32, f32) -> f32); 7] = [
+        type Operation = fn(f32, f32) -> f32;
+        let pairs: [(Lanes<f32, 5>, Operation); 7] = [
             (x + y, |a, b| a + b), (x - y, |a, b| a - b), (x * y, |a, b| a * b),
             (x / y, |a, b| a / b), (x.min(y), Number::min), (x.max(y), Number::max),
             (x.below(y), Number::below),

@@ -1,0 +1,133 @@
+//! The box a cloud lives in, its sides, and the two places that know what a position is:
+//! [`Offset::displacement`] and [`Domain::drift`].
+
+use crate::error::Error;
+use crate::scalar::{Number, Scalar};
+
+/// What is beyond a side of the domain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// Nothing: the cloud has the room it takes.
+    Free,
+    /// The other side of the domain. Both sides of a direction are periodic, or none.
+    Periodic,
+    /// The mirror image of the cloud: a wall that lets nothing through.
+    Mirror,
+}
+
+/// One direction of the domain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Axis<S> {
+    /// Position of the lower side; means nothing where that side is free.
+    pub lower: S,
+    /// Position of the upper side; means nothing where that side is free.
+    pub upper: S,
+    /// What is below `lower` and above `upper`.
+    pub sides: [Side; 2],
+}
+
+impl<S: Scalar> Axis<S> {
+    /// A direction without sides.
+    pub const FREE: Self = Self {
+        lower: S::ZERO,
+        upper: S::ZERO,
+        sides: [Side::Free; 2],
+    };
+
+    /// A periodic direction.
+    pub const fn periodic(lower: S, upper: S) -> Self {
+        Self {
+            lower,
+            upper,
+            sides: [Side::Periodic; 2],
+        }
+    }
+
+    /// A direction between two walls.
+    pub const fn walls(lower: S, upper: S) -> Self {
+        Self {
+            lower,
+            upper,
+            sides: [Side::Mirror; 2],
+        }
+    }
+
+    /// Whether the direction closes on itself.
+    pub fn is_periodic(&self) -> bool {
+        self.sides == [Side::Periodic; 2]
+    }
+}
+
+/// The domain: one [`Axis`] for each of `D` directions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Domain<S, const D: usize> {
+    /// The directions.
+    pub axes: [Axis<S>; D],
+}
+
+impl<S: Scalar, const D: usize> Domain<S, D> {
+    /// All of space.
+    pub const FREE: Self = Self {
+        axes: [Axis::FREE; D],
+    };
+
+    /// Moves a position by `step`, through periodic sides and off walls.
+    ///
+    /// Returns for each direction whether it met a wall there: the velocity in that
+    /// direction is to be reversed. Errors: a step beyond the image of the domain.
+    pub fn drift(
+        &self,
+        position: &mut [S; D],
+        step: &[S; D],
+        particle: u32,
+    ) -> Result<[bool; D], Error> {
+        let mut reflected = [false; D];
+        let components = position.iter_mut().zip(step).zip(&self.axes);
+        for (((x, &dx), axis), reflected) in components.zip(&mut reflected) {
+            let moved = *x + dx;
+            let (below, above) = (moved < axis.lower, moved > axis.upper);
+            *x = match axis.sides {
+                [Side::Periodic, _] if below => moved + (axis.upper - axis.lower),
+                [Side::Periodic, _] if !(moved < axis.upper) => moved - (axis.upper - axis.lower),
+                [Side::Mirror, _] if below => {
+                    *reflected = true;
+                    axis.lower + (axis.lower - moved)
+                }
+                [_, Side::Mirror] if above => {
+                    *reflected = true;
+                    axis.upper - (moved - axis.upper)
+                }
+                _ => moved,
+            };
+            let low = axis.sides[0] != Side::Free && *x < axis.lower;
+            let high = axis.sides[1] != Side::Free && *x > axis.upper;
+            if low || high {
+                return Err(Error::Outside { particle });
+            }
+        }
+        Ok(reflected)
+    }
+}
+
+/// How a neighbour is seen along one direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Offset<S> {
+    /// Itself, or a periodic image at `-shift`.
+    Shift(S),
+    /// Its mirror image in a wall at this position.
+    Wall(S),
+}
+
+impl<S: Scalar> Offset<S> {
+    /// `x_k - x_l`, with `l` or its image.
+    ///
+    /// Positions are never moved before they are subtracted, so the displacement from `l` to
+    /// `k` is the exact negative of that from `k` to `l` (along a wall: exactly equal).
+    #[inline(always)]
+    pub fn displacement<N: Number<Scalar = S>>(&self, x_k: N, x_l: N) -> N {
+        match *self {
+            Self::Shift(shift) => (x_k - x_l) + N::splat(shift),
+            Self::Wall(wall) => (x_k - N::splat(wall)) + (x_l - N::splat(wall)),
+        }
+    }
+}

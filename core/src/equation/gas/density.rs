@@ -1,0 +1,235 @@
+//! Density (3.13), with the width of the cut-off tied to it.
+//!
+//! `ρ_k = Σ_l m_l ζ_ε_k(x_k - x_l)`, `l = k` included, and `ε_k = η (m_k/ρ_k)^(1/D)`.
+//!
+//! With `S(λ) = Σ_l m_l z(|r|/ε)`, `λ = ln ε`, the two say `σ S(λ_k) = m_k η^D`: one equation
+//! in one unknown, without a root. Its derivatives are sums over the same pairs,
+//!
+//! `S' = -Σ m q z'`, `S'' = Σ m (q z' + q² z'')`,
+//!
+//! and a second-order step `δ = d - (S''/2S') d²`, `d = (σ^-1 m η^D - S)/S'`, ends in
+//! `ε e^δ`, `ρ = m (η/ε)^D` and
+//!
+//! `Ω = 1 + ε/(D ρ) ∂ρ/∂ε = S'/(D S)`.
+//!
+//! A step below [`Scalar::EXTRAPOLATION`] is the last one: what it leaves out is then of the
+//! order of the format's rounding (ε), or of the square of the step (Ω). Each particle
+//! iterates on its own, so the bits do not depend on who shares its loop.
+
+use crate::cutoff::CutOff;
+use crate::pairs::Law;
+use crate::record;
+use crate::scalar::{Number, Scalar};
+
+/// How wide the cut-off of a particle is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Width<S> {
+    /// The same ε everywhere: the paper's.
+    Constant {
+        /// ε, a length.
+        epsilon: S,
+    },
+    /// `ε_k = η (m_k/ρ_k)^(1/D)`: about the same number of neighbours everywhere.
+    Adaptive {
+        /// η, in spacings.
+        eta: S,
+    },
+}
+
+record! {
+    /// What the density sum knows of a particle.
+    pub struct DensityNode<N, const D: usize> {
+        /// Mass `m`.
+        pub mass: N,
+        /// The particle's part of the argument of the cut-off.
+        pub scale: N,
+        /// ε; where [`Law::close`] leaves it above `limit`, the cloud must be sorted anew.
+        pub epsilon: N,
+        /// The largest ε for which the neighbours at hand are all there are.
+        pub limit: N,
+        /// The largest ε seen whose sum was too small.
+        pub low: N,
+        /// The smallest ε seen whose sum was too large.
+        pub high: N,
+        /// ρ, when settled.
+        pub density: N,
+        /// Ω, when settled.
+        pub omega: N,
+        /// Passes made so far.
+        pub passes: N,
+    }
+}
+
+record! {
+    /// The sums of one pass.
+    pub struct DensitySums<N, const D: usize> {
+        /// `S = Σ m z`.
+        pub value: N,
+        /// `Σ m |r|² F`, `ε²` times `Σ m q z'`.
+        pub first: N,
+        /// `Σ m |r|² (F + z'')`, `ε²` times `S''`.
+        pub second: N,
+        /// Partners within the support, the particle itself among them.
+        pub partners: N,
+    }
+}
+
+/// Passes after which the iteration for ε is given up.
+pub const MAX_PASSES: u32 = 32;
+
+/// By how much ε may grow before the cloud must be sorted anew.
+pub const GROWTH: f64 = 1.0 / 32.0;
+
+/// (3.13).
+#[derive(Clone, Copy, Debug)]
+pub struct Density<S, C, const D: usize> {
+    cut_off: C,
+    width: Width<S>,
+    /// `σ`.
+    sigma: S,
+    /// `η^D/σ`.
+    target: S,
+}
+
+impl<S: Scalar, C: CutOff, const D: usize> Density<S, C, D> {
+    /// The law for a cut-off and a rule for its width.
+    pub fn new(cut_off: C, width: Width<S>) -> Self {
+        let sigma = S::from_f64(cut_off.normalisation::<D>());
+        let target = match width {
+            Width::Constant { .. } => S::ONE,
+            Width::Adaptive { eta } => eta.powi(D) / sigma,
+        };
+        Self {
+            cut_off,
+            width,
+            sigma,
+            target,
+        }
+    }
+
+    /// The node of a particle whose ε is expected to be `epsilon`.
+    pub fn node(&self, mass: S, epsilon: S) -> DensityNode<S, D> {
+        let (epsilon, limit) = match self.width {
+            Width::Constant { epsilon } => (epsilon, epsilon),
+            Width::Adaptive { .. } => (epsilon, self.limit(epsilon)),
+        };
+        DensityNode {
+            mass,
+            scale: self.cut_off.scale(S::ONE / epsilon),
+            epsilon,
+            limit,
+            low: S::ZERO,
+            high: S::REACH_LIMIT,
+            density: S::ZERO,
+            omega: S::ONE,
+            passes: S::ZERO,
+        }
+    }
+
+    /// The largest ε that may come out where `epsilon` is expected.
+    pub fn limit(&self, epsilon: S) -> S {
+        match self.width {
+            Width::Constant { epsilon } => epsilon,
+            Width::Adaptive { .. } => epsilon + epsilon * S::from_f64(GROWTH),
+        }
+    }
+
+    /// The term of a partner of that mass on a particle of that scale.
+    #[inline(always)]
+    fn term<N: Number<Scalar = S>>(
+        &self,
+        scale: N,
+        mass: N,
+        distance: N,
+        distance_squared: N,
+        to: &mut DensitySums<N, D>,
+    ) {
+        let q = distance * scale;
+        let gradient = self.cut_off.gradient::<D, N>(q);
+        let curvature = self.cut_off.curvature::<D, N>(q);
+        let spread = mass * distance_squared;
+        to.value += mass * self.cut_off.value::<D, N>(q);
+        to.first += spread * gradient;
+        to.second += spread * (gradient + curvature);
+        to.partners += q.below(N::splat(self.cut_off.edge()));
+    }
+
+    /// One step of the iteration; `true` when the node holds the result, or needs other
+    /// neighbours, or has used up its passes.
+    fn adapt(&self, eta: S, node: &mut DensityNode<S, D>, sums: &DensitySums<S, D>) -> bool {
+        let inverse = S::ONE / node.epsilon;
+        let target = node.mass * self.target;
+        let slope = -(sums.first * inverse * inverse);
+        let second = sums.second * inverse * inverse;
+        let delta = self.step(node, target - sums.value, slope, second);
+        node.epsilon += node.epsilon * (delta + (delta * delta).half());
+        node.passes += S::ONE;
+        if node.epsilon > node.limit {
+            return true;
+        }
+        if !(delta.abs() > S::EXTRAPOLATION) {
+            node.density = node.mass * (eta / node.epsilon).powi(D);
+            node.omega = (slope + delta * second) / (S::count(D as u32) * target);
+            return true;
+        }
+        node.scale = self.cut_off.scale(S::ONE / node.epsilon);
+        !(node.passes < S::count(MAX_PASSES))
+    }
+
+    /// The step in ln ε: of second order, at most 1/4, and within what earlier passes have
+    /// bracketed, else to the middle of it. `S` rises with ε, so the bracket always closes.
+    fn step(&self, node: &mut DensityNode<S, D>, missing: S, slope: S, second: S) -> S {
+        if missing > S::ZERO {
+            node.low = node.epsilon;
+        } else {
+            node.high = node.epsilon;
+        }
+        let largest = S::from_f64(0.25);
+        let bounded = |delta: S| delta.greater(-largest).lesser(largest);
+        let delta = if slope > node.mass * self.target * S::from_f64(1.0 / 64.0) {
+            let d = bounded(missing / slope);
+            bounded(d - (second / slope * d * d).half())
+        } else {
+            // No neighbour to speak of: widen.
+            largest
+        };
+        let there = node.epsilon + node.epsilon * (delta + (delta * delta).half());
+        let settled = !(delta.abs() > S::EXTRAPOLATION);
+        if settled || there > node.low && there < node.high {
+            delta
+        } else {
+            let middle = node.low.half() + node.high.half();
+            bounded((middle - node.epsilon) / node.epsilon)
+        }
+    }
+}
+
+impl<S: Scalar, C: CutOff, const D: usize> Law<S, D> for Density<S, C, D> {
+    type Node = DensityNode<S, D>;
+    type Sums = DensitySums<S, D>;
+
+    #[inline(always)]
+    fn pair<N: Number<Scalar = S>>(
+        &self,
+        k: &DensityNode<N, D>,
+        l: &DensityNode<N, D>,
+        _: &[N; D],
+        distance_squared: N,
+        to_k: &mut DensitySums<N, D>,
+        to_l: &mut DensitySums<N, D>,
+    ) {
+        let distance = self.cut_off.argument(distance_squared);
+        self.term(k.scale, l.mass, distance, distance_squared, to_k);
+        self.term(l.scale, k.mass, distance, distance_squared, to_l);
+    }
+
+    fn close(&self, node: &mut DensityNode<S, D>, sums: &DensitySums<S, D>) -> bool {
+        match self.width {
+            Width::Constant { epsilon } => {
+                node.density = self.sigma * sums.value * (S::ONE / epsilon).powi(D);
+                true
+            }
+            Width::Adaptive { eta } => self.adapt(eta, node, sums),
+        }
+    }
+}

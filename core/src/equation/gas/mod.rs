@@ -1,0 +1,25 @@
+//! Gas dynamics in `D` dimensions: (3.7), (3.10), (3.12), (3.13).
+//!
+//! `dx_k/dt = u_k`
+//!
+//! `ρ_k = Σ_l m_l ζ_ε_k(x_k - x_l)`                                         [`density`]
+//!
+//! `m_k du_k/dt = -Σ_l m_k m_l [P_k ∇ζ_kl(ε_k) + P_l ∇ζ_kl(ε_l) + Π_kl g_kl]`  [`motion`]
+//!
+//! `m_k de_k/dt = m_k P_k Σ_l m_l (u_k-u_l)·∇ζ_kl(ε_k) + 1/2 Σ_l m_k m_l Π_kl (u_k-u_l)·g_kl`
+//!
+//! with `P = p/(Ω ρ²)`, `g_kl` the mean of the two gradients and `Π` the pseudo-viscosity.
+//!
+//! Differs from the paper: ε may vary from particle to particle, hence Ω (Springel &
+//! Hernquist, MNRAS 333, 649, 2002); any dimension; signs as corrected in `docs/paper.md`.
+
+pub mod density;
+mod dynamics;
+pub mod motion;
+pub mod state;
+pub mod viscosity;
+
+pub use density::Width;
+pub use dynamics::GasDynamics;
+pub use state::{Gas, GasStorage, Particle, Workspace};
+pub use viscosity::Viscosity;

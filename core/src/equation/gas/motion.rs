@@ -1,0 +1,120 @@
+//! Motion (3.10) and internal energy (3.12), in one sum over pairs.
+//!
+//! The sums are rates of momentum and energy, `m_k du_k/dt` and `m_k de_k/dt`: pair terms
+//! carry both masses and are exactly opposite, so in fixed point the momentum rates of a
+//! free cloud sum to 0.
+
+use crate::cutoff::CutOff;
+use crate::pairs::Law;
+use crate::record;
+use crate::scalar::{Number, Scalar};
+
+use super::viscosity::{Pair, Viscosity, speed_along_line};
+
+record! {
+    /// What a particle of gas shows.
+    pub struct GasNode<N, const D: usize> {
+        /// Mass `m`.
+        pub mass: N,
+        /// `P = (p + q)/(Ω ρ²)`.
+        pub pressure: N,
+        /// `σ ε^-(D+2)`: turns `F(q) r` into the gradient.
+        pub gradient: N,
+        /// The particle's part of the argument of the cut-off.
+        pub scale: N,
+        /// Sound speed `c`.
+        pub sound_speed: N,
+        /// Density ρ.
+        pub density: N,
+        /// ε.
+        pub epsilon: N,
+        ;
+        /// Velocity `u`.
+        pub velocity: [N; D],
+    }
+}
+
+record! {
+    /// What it receives.
+    pub struct GasSums<N, const D: usize> {
+        /// `Σ_l m_l (u_k-u_l)·∇ζ_kl(ε_k) = -Ω_k ρ_k div u`.
+        pub compression: N,
+        /// `1/2 Σ_l m_k m_l Π_kl (u_k-u_l)·g_kl`.
+        pub heating: N,
+        /// The fastest approach of a partner, along the line of centres; at least 0.
+        pub approach: N,
+        ;
+        /// `m_k du_k/dt`.
+        pub force: [N; D],
+    }
+}
+
+/// (3.10) and (3.12).
+#[derive(Clone, Copy, Debug)]
+pub struct Motion<C, V> {
+    /// The cut-off.
+    pub cut_off: C,
+    /// The pseudo-viscosity.
+    pub viscosity: V,
+}
+
+impl<S: Scalar, C: CutOff, V: Viscosity<S>, const D: usize> Law<S, D> for Motion<C, V> {
+    type Node = GasNode<S, D>;
+    type Sums = GasSums<S, D>;
+
+    #[inline(always)]
+    fn pair<N: Number<Scalar = S>>(
+        &self,
+        k: &GasNode<N, D>,
+        l: &GasNode<N, D>,
+        r: &[N; D],
+        distance_squared: N,
+        to_k: &mut GasSums<N, D>,
+        to_l: &mut GasSums<N, D>,
+    ) {
+        let distance = self.cut_off.argument(distance_squared);
+        let g_k = k.gradient * self.cut_off.gradient::<D, N>(distance * k.scale);
+        let g_l = l.gradient * self.cut_off.gradient::<D, N>(distance * l.scale);
+        let g = N::literal(0.5) * (g_k + g_l);
+
+        let mut u = [N::zero(); D];
+        for i in 0..D {
+            u[i] = k.velocity[i] - l.velocity[i];
+        }
+        let approach = N::dot(&u, r);
+        let pi = self.viscosity.pair(&Pair {
+            approach,
+            distance_squared,
+            sound_speeds: k.sound_speed + l.sound_speed,
+            densities: k.density + l.density,
+            epsilons: k.epsilon + l.epsilon,
+        });
+
+        let masses = k.mass * l.mass;
+        let viscous = pi * g;
+        let term = masses * ((k.pressure * g_k + l.pressure * g_l) + viscous);
+        for i in 0..D {
+            let force = term * r[i];
+            to_k.force[i] -= force;
+            to_l.force[i] += force;
+        }
+        to_k.compression += l.mass * (approach * g_k);
+        to_l.compression += k.mass * (approach * g_l);
+        let heating = N::literal(0.5) * (masses * (viscous * approach));
+        to_k.heating += heating;
+        to_l.heating += heating;
+
+        // A pair out of reach has no say in the time step; its gradient is exactly 0.
+        let speed = -speed_along_line(approach, distance_squared) * g.below(N::zero());
+        to_k.approach = to_k.approach.max(speed);
+        to_l.approach = to_l.approach.max(speed);
+    }
+
+    fn reflected(&self, node: &GasNode<S, D>, axis: usize) -> GasNode<S, D> {
+        let mut node = *node;
+        if let Some(component) = node.velocity.get_mut(axis) {
+            *component = -*component;
+        }
+        node
+    }
+}

@@ -1,0 +1,4 @@
+//! The equations of the paper. One folder or file each; every one is a
+//! [`Law`](crate::pairs::Law) and what goes with it.
+
+pub mod gas;

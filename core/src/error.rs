@@ -1,0 +1,181 @@
+//! What can go wrong in the core: small values that name the particle or the capacity.
+
+use core::fmt;
+
+/// A container of fixed capacity, or a buffer that the caller lent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Container {
+    /// Particles.
+    Particles,
+    /// Cells of the neighbour grid, plus one.
+    Cells,
+    /// Candidates in a neighbour list.
+    Candidates,
+}
+
+/// A quantity of a particle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// Position.
+    Position,
+    /// Velocity.
+    Velocity,
+    /// Internal energy per mass.
+    Energy,
+    /// Mass density.
+    Density,
+    /// Width of the cut-off, ε.
+    Epsilon,
+    /// Rate of momentum.
+    Force,
+    /// Rate of internal energy.
+    Power,
+    /// Time step.
+    TimeStep,
+}
+
+/// An error of the core. `particle` is an id: the place in the caller's arrays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error {
+    /// More was needed than the memory given at compile time, or by the caller, holds.
+    Capacity {
+        /// What is full.
+        container: Container,
+        /// How many would be needed.
+        needed: u32,
+        /// How many there is room for.
+        capacity: u32,
+    },
+    /// Arrays that belong together have unequal lengths.
+    Lengths,
+    /// A side of the domain is upside down, or a free side has no particles.
+    EmptyDomain {
+        /// The direction, from 0.
+        axis: u8,
+    },
+    /// A periodic direction is shorter than three reaches of the cut-off.
+    PeriodTooShort {
+        /// The direction, from 0.
+        axis: u8,
+    },
+    /// The domain or the reach is too large for squares of displacements in this format.
+    Range,
+    /// A position beyond the domain by more than its length.
+    Outside {
+        /// Id of the particle.
+        particle: u32,
+    },
+    /// A particle that sees no other one.
+    Isolated {
+        /// Id of the particle.
+        particle: u32,
+    },
+    /// Ω is below its bound: the density hardly answers to ε.
+    Omega {
+        /// Id of the particle.
+        particle: u32,
+    },
+    /// The iteration for ε did not settle within its bound of passes.
+    Epsilon {
+        /// Id of the particle.
+        particle: u32,
+    },
+    /// Internal energy below zero.
+    NegativeEnergy {
+        /// Id of the particle.
+        particle: u32,
+    },
+    /// A value that is not finite, or that overflowed where the scalar keeps track of it.
+    NotFinite {
+        /// Id of the particle.
+        particle: u32,
+        /// Which of its quantities.
+        quantity: Quantity,
+    },
+}
+
+impl fmt::Display for Container {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Particles => "particles",
+            Self::Cells => "cells",
+            Self::Candidates => "neighbour candidates",
+        })
+    }
+}
+
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Position => "position",
+            Self::Velocity => "velocity",
+            Self::Energy => "internal energy",
+            Self::Density => "density",
+            Self::Epsilon => "epsilon",
+            Self::Force => "force",
+            Self::Power => "rate of internal energy",
+            Self::TimeStep => "time step",
+        })
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Capacity {
+                container,
+                needed,
+                capacity,
+            } => write!(
+                f,
+                "{needed} {container} do not fit: there is room for {capacity}; \
+                 raise the capacity or use fewer particles"
+            ),
+            Self::Lengths => f.write_str("arrays of one cloud have unequal lengths"),
+            Self::EmptyDomain { axis } => write!(
+                f,
+                "the domain is empty in direction {axis}: its upper side must lie above its \
+                 lower one, and a free side needs particles"
+            ),
+            Self::PeriodTooShort { axis } => write!(
+                f,
+                "the period in direction {axis} is below three reaches of the cut-off: use more \
+                 particles, a smaller epsilon or eta, or a longer domain"
+            ),
+            Self::Range => f.write_str(
+                "the reach of the cut-off is too large for this number format: use more integer \
+                 bits, or a smaller epsilon or eta",
+            ),
+            Self::Outside { particle } => write!(
+                f,
+                "particle {particle} crossed the whole domain in one step: use a smaller time step"
+            ),
+            Self::Isolated { particle } => write!(
+                f,
+                "particle {particle} sees no neighbour: use a larger epsilon, or an adaptive one"
+            ),
+            Self::Omega { particle } => write!(
+                f,
+                "Omega of particle {particle} is too small: its neighbours sit at the edge of its \
+                 cut-off; use a larger eta"
+            ),
+            Self::Epsilon { particle } => write!(
+                f,
+                "epsilon of particle {particle} did not settle: use a larger eta or a smaller \
+                 time step"
+            ),
+            Self::NegativeEnergy { particle } => write!(
+                f,
+                "the internal energy of particle {particle} fell below zero: use a smaller time \
+                 step or more particles"
+            ),
+            Self::NotFinite { particle, quantity } => write!(
+                f,
+                "{quantity} of particle {particle} has left the range of the number format: use a \
+                 wider format or a smaller time step"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for Error {}

@@ -1,0 +1,3 @@
+//! Time integrators.
+
+pub mod leap_frog;

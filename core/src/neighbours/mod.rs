@@ -1,0 +1,15 @@
+//! Who is near whom: a uniform grid of cells, and the order in which a particle receives
+//! its terms.
+//!
+//! Cells are `reach × reach × reach/4`, the short edge along the last direction; a *row* is
+//! a line of cells in that direction. Particles are sorted by cell, rows in order, inside a
+//! cell by id. The geometry is a function of the state alone and belongs to the
+//! determinism contract: it defines the order of summation.
+
+mod cells;
+mod grid;
+mod runs;
+
+pub use cells::{CellBuffers, Cells, Site, sort};
+pub use grid::{Grid, cell_bound};
+pub use runs::{Image, Run, Runs, code};

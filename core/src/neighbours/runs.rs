@@ -1,0 +1,206 @@
+//! Runs: contiguous stretches of the sorted order that can hold partners of a receiver.
+
+use super::{Cells, Grid};
+use crate::scalar::Scalar;
+
+/// How a run is seen along one direction.
+pub mod code {
+    /// Not an image.
+    pub const DIRECT: u8 = 0;
+    /// Cells at the low end, seen beyond the high end of a periodic direction.
+    pub const LOW: u8 = 1;
+    /// Cells at the high end, seen beyond the low end of a periodic direction.
+    pub const HIGH: u8 = 2;
+    /// The mirror image in the lower wall.
+    pub const LOWER_WALL: u8 = 3;
+    /// The mirror image in the upper wall.
+    pub const UPPER_WALL: u8 = 4;
+}
+
+/// How a run is seen: a [`code`] for each direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Image<const D: usize>(pub [u8; D]);
+
+impl<const D: usize> Image<D> {
+    /// The particles themselves.
+    pub const SELF: Self = Self([code::DIRECT; D]);
+
+    /// All codes in one word.
+    pub fn packed(self) -> u32 {
+        self.0
+            .iter()
+            .fold(0, |word, &code| word << 3 | u32::from(code))
+    }
+
+    /// The image of that word.
+    pub fn unpacked(word: u32) -> Self {
+        let mut codes = [0; D];
+        for (i, code) in codes.iter_mut().rev().enumerate() {
+            *code = (word >> (3 * i) & 7) as u8;
+        }
+        Self(codes)
+    }
+}
+
+/// Sorted particles `start..end`, seen as `image`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Run<const D: usize> {
+    /// The first of them in sorted order.
+    pub start: u32,
+    /// One beyond the last.
+    pub end: u32,
+    /// How they are seen.
+    pub image: Image<D>,
+}
+
+/// Cells `first..=last` of one direction with one code.
+#[derive(Clone, Copy)]
+struct Segment {
+    first: u32,
+    last: u32,
+    code: u8,
+}
+
+/// 3 cells across each of two slow directions, times 3 segments of the fast one.
+const MAX_RUNS: usize = 27;
+
+/// The runs of one receiver, or of several in one row, in the order of summation.
+pub type Runs<const D: usize> = heapless::Vec<Run<D>, MAX_RUNS>;
+
+type Segments = heapless::Vec<Segment, 3>;
+
+/// Real and periodic partners of cells `low..=high` of one direction, in ascending order.
+fn segments<S: Scalar, const D: usize>(
+    grid: &Grid<S, D>,
+    axis: usize,
+    [low, high]: [u32; 2],
+) -> Segments {
+    let (count, window) = (grid.count(axis), grid.window(axis));
+    let mut segments = Segments::new();
+    let mut push = |first: u32, last: u32, code| {
+        // At most three are pushed: there is room.
+        let _ = segments.push(Segment { first, last, code });
+    };
+    let beyond = high.saturating_add(window);
+    if grid.is_periodic(axis) && beyond >= count {
+        push(0, beyond - count, code::LOW);
+    }
+    push(
+        low.saturating_sub(window),
+        beyond.min(count - 1),
+        code::DIRECT,
+    );
+    if grid.is_periodic(axis) && low < window {
+        push(count + low - window, count - 1, code::HIGH);
+    }
+    segments
+}
+
+/// Partners of cell `c` of one direction in the mirror behind one of its ends; none where
+/// there is no wall, or none in reach.
+fn mirrored<S: Scalar, const D: usize>(
+    grid: &Grid<S, D>,
+    axis: usize,
+    c: u32,
+    end: usize,
+) -> Segments {
+    let (count, window) = (grid.count(axis), grid.window(axis));
+    let mut segments = Segments::new();
+    let from_wall = if end == 0 { c } else { count - 1 - c };
+    if grid.is_wall(axis, end) && from_wall <= window {
+        let depth = (window - from_wall).min(count - 1);
+        let segment = if end == 0 {
+            Segment {
+                first: 0,
+                last: depth,
+                code: code::LOWER_WALL,
+            }
+        } else {
+            Segment {
+                first: count - 1 - depth,
+                last: count - 1,
+                code: code::UPPER_WALL,
+            }
+        };
+        let _ = segments.push(segment);
+    }
+    segments
+}
+
+impl<S: Scalar, const D: usize> Cells<'_, S, D> {
+    /// Real and periodic partners of receivers in cells `cell` to `last` of one row, `last`
+    /// being the coordinate along the row.
+    #[inline]
+    pub fn runs(&self, cell: &[u32; D], last: u32) -> Runs<D> {
+        let grid = self.grid();
+        let mut choices = [const { Segments::new() }; D];
+        for (i, (choice, &c)) in choices.iter_mut().zip(cell).enumerate() {
+            let high = if i + 1 == D { last } else { c };
+            *choice = segments(grid, i, [c, high]);
+        }
+        self.combine(&choices)
+    }
+
+    /// Partners of a receiver in `cell` in the mirrors `mirror`: for each direction 0 for
+    /// none, 1 for the lower and 2 for the upper wall.
+    pub fn mirror_runs(&self, cell: &[u32; D], mirror: &[u8; D]) -> Runs<D> {
+        let grid = self.grid();
+        let mut choices = [const { Segments::new() }; D];
+        for (i, ((choice, &c), &mirror)) in choices.iter_mut().zip(cell).zip(mirror).enumerate() {
+            *choice = match mirror {
+                0 => segments(grid, i, [c, c]),
+                wall => mirrored(grid, i, c, usize::from(wall) - 1),
+            };
+        }
+        self.combine(&choices)
+    }
+
+    /// Runs of all combinations of segments: slow directions cell by cell, the fast one
+    /// whole.
+    fn combine(&self, choices: &[Segments; D]) -> Runs<D> {
+        let mut runs = Runs::new();
+        if choices.iter().any(|choice| choice.is_empty()) {
+            return runs;
+        }
+        // An odometer over (segment, cell) of each slow direction.
+        let mut place = [(0, 0); D];
+        loop {
+            let mut cell = [0; D];
+            let mut image = Image::SELF;
+            for i in 0..D {
+                let Some(segment) = choices[i].get(place[i].0) else {
+                    return runs;
+                };
+                cell[i] = segment.first + place[i].1;
+                image.0[i] = segment.code;
+            }
+            let row = self.grid().index(&cell) - cell[D - 1];
+            for segment in &choices[D - 1] {
+                image.0[D - 1] = segment.code;
+                let (start, end) = self.span(row + segment.first, row + segment.last);
+                if start < end {
+                    let _ = runs.push(Run { start, end, image });
+                }
+            }
+            let mut axis = D - 1;
+            loop {
+                if axis == 0 {
+                    return runs;
+                }
+                axis -= 1;
+                let (segment, offset) = &mut place[axis];
+                if let Some(s) = choices[axis].get(*segment) {
+                    *offset += 1;
+                    if s.first + *offset <= s.last {
+                        break;
+                    }
+                    (*segment, *offset) = (*segment + 1, 0);
+                    if *segment < choices[axis].len() {
+                        break;
+                    }
+                }
+                place[axis] = (0, 0);
+            }
+        }
+    }
+}

@@ -1,0 +1,382 @@
+//! Receiver lanes: a block of consecutive receivers shares its candidates.
+//!
+//! Lane `i` holds receiver `i` of the block and adds the terms of the candidates in ascending
+//! order, as the plain loop does; a lane out of reach adds 0. Which candidates any lane needs
+//! is found once and kept in a [`List`] for all laws of a step.
+//!
+//! The two inner loops are a [`Kernel`]: a host compiles them into functions of their own for
+//! each instruction set. They are `inline(always)` all the way down, and take and leave lanes
+//! in memory: that is what the compiler turns into vectors. Inlined into more than they need,
+//! or split by a call, they lose a factor of ten.
+
+use super::law::{Fields, Law, Settled};
+use super::mirror::mirror_terms;
+use crate::domain::Offset;
+use crate::neighbours::{Cells, Image, Runs};
+use crate::scalar::{Lanes, Number, Scalar};
+
+/// Receivers `start..end` of the sorted order, all in one row of cells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Block<const D: usize> {
+    /// The first receiver.
+    pub start: usize,
+    /// One beyond the last.
+    pub end: usize,
+    /// The cell of the first one.
+    pub cell: [u32; D],
+}
+
+/// The blocks of `L` receivers that make up a range of the sorted order.
+pub struct Blocks<'a, 'c, S, const D: usize, const L: usize> {
+    cells: &'a Cells<'c, S, D>,
+    next: usize,
+    end: usize,
+}
+
+impl<'a, 'c, S: Scalar, const D: usize, const L: usize> Blocks<'a, 'c, S, D, L> {
+    /// Cuts `start..end` into blocks at every `L` receivers and at ends of rows.
+    pub fn new(cells: &'a Cells<'c, S, D>, start: usize, end: usize) -> Self {
+        Self {
+            cells,
+            next: start,
+            end,
+        }
+    }
+}
+
+impl<S: Scalar, const D: usize, const L: usize> Iterator for Blocks<'_, '_, S, D, L> {
+    type Item = Block<D>;
+
+    fn next(&mut self) -> Option<Block<D>> {
+        if self.next >= self.end {
+            return None;
+        }
+        let start = self.next;
+        let cell = self.cells.cell(start);
+        let row_end = self.cells.row_end(&cell) as usize;
+        let end = (start + L).min(self.end).min(row_end.max(start + 1));
+        self.next = end;
+        Some(Block { start, end, cell })
+    }
+}
+
+/// The candidates of a range of blocks, in memory that can grow or not.
+///
+/// A stream of words: for each block its number of words, then for each stretch of equal
+/// image the image, the number of candidates, and their places in the sorted order.
+pub trait List {
+    /// Room for that many more words beyond the last committed one, or `None`.
+    fn room(&mut self, words: usize) -> Option<&mut [u32]>;
+    /// Keeps that many words of it.
+    fn commit(&mut self, words: usize);
+    /// The words kept from `start` on.
+    fn words(&self, start: usize) -> &[u32];
+}
+
+/// The inner loops, compiled for one instruction set.
+pub trait Kernel {
+    /// [`find`].
+    fn find<S: Scalar, const D: usize, const L: usize>(
+        cells: &Cells<'_, S, D>,
+        receivers: &Receivers<S, D, L>,
+        runs: &Runs<D>,
+        words: &mut [u32],
+    ) -> usize;
+    /// [`sum`].
+    fn sum<S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
+        law: &W,
+        cells: &Cells<'_, S, D>,
+        nodes: &[W::Node],
+        block: &Operands<'_, S, D, L, W>,
+        sums: &mut <W::Sums as Fields<S>>::Of<Lanes<S, L>>,
+    );
+}
+
+/// The inner loops for the instruction set that the crate is compiled for.
+pub struct Portable;
+
+impl Kernel for Portable {
+    fn find<S: Scalar, const D: usize, const L: usize>(
+        cells: &Cells<'_, S, D>,
+        receivers: &Receivers<S, D, L>,
+        runs: &Runs<D>,
+        words: &mut [u32],
+    ) -> usize {
+        find(cells, receivers, runs, words)
+    }
+    fn sum<S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
+        law: &W,
+        cells: &Cells<'_, S, D>,
+        nodes: &[W::Node],
+        block: &Operands<'_, S, D, L, W>,
+        sums: &mut <W::Sums as Fields<S>>::Of<Lanes<S, L>>,
+    ) {
+        sum(law, cells, nodes, block, sums);
+    }
+}
+
+/// What the sums of a block are made from.
+pub struct Operands<'a, S: Scalar, const D: usize, const L: usize, W: Law<S, D>> {
+    /// Where the receivers are.
+    pub receivers: &'a Receivers<S, D, L>,
+    /// What they show.
+    pub k: &'a <W::Node as Fields<S>>::Of<Lanes<S, L>>,
+    /// Their candidates: stretches of [`List`].
+    pub candidates: &'a [u32],
+}
+
+/// Evaluates `law` for the receivers `first..first + settled.len()` of the sorted order, `L`
+/// at a time.
+///
+/// With `fresh`, the candidates are found and added to `list`, which the caller has emptied;
+/// without, `list` holds them from an earlier call over the same range and the same cells.
+/// Returns `false` when the list is full; then nothing of `settled` is meaningful.
+pub fn lanes<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
+    law: &W,
+    cells: &Cells<'_, S, D>,
+    nodes: &[W::Node],
+    first: usize,
+    settled: &mut [Settled<W::Node, W::Sums>],
+    list: &mut impl List,
+    fresh: bool,
+) -> bool {
+    let mut word = 0;
+    let end = first + settled.len();
+    for block in Blocks::<S, D, L>::new(cells, first, end) {
+        if fresh && !find_candidates::<K, S, D, L>(cells, &block, list) {
+            return false;
+        }
+        let words = list.words(word);
+        let Some((&count, words)) = words.split_first() else {
+            return false;
+        };
+        let candidates = words.get(..count as usize).unwrap_or(&[]);
+        word += 1 + count as usize;
+        let range = block.start - first..block.end - first;
+        if let Some(settled) = settled.get_mut(range) {
+            settle_block::<K, S, D, L, W>(law, cells, nodes, &block, candidates, settled);
+        }
+    }
+    true
+}
+
+/// Writes the candidates that any receiver of the block needs.
+fn find_candidates<K: Kernel, S: Scalar, const D: usize, const L: usize>(
+    cells: &Cells<'_, S, D>,
+    block: &Block<D>,
+    list: &mut impl List,
+) -> bool {
+    let last = cells.cell(block.end - 1)[D - 1];
+    let runs = cells.runs(&block.cell, last);
+    let most: usize = runs
+        .iter()
+        .map(|run| (run.end - run.start) as usize + 2)
+        .sum();
+    let Some(words) = list.room(1 + most) else {
+        return false;
+    };
+    let receivers = Receivers::<S, D, L>::of(cells, block);
+    let used = K::find(cells, &receivers, &runs, words);
+    list.commit(used);
+    true
+}
+
+/// Positions and reaches of the receivers of a block.
+pub struct Receivers<S, const D: usize, const L: usize> {
+    position: [Lanes<S, L>; D],
+    reach_squared: Lanes<S, L>,
+}
+
+impl<S: Scalar, const D: usize, const L: usize> Receivers<S, D, L> {
+    fn of(cells: &Cells<'_, S, D>, block: &Block<D>) -> Self {
+        let sites = cells.sites().get(block.start..block.end).unwrap_or(&[]);
+        let site = |i: usize| sites.get(i).or(sites.last());
+        let mut position = [Lanes::zero(); D];
+        for (j, component) in position.iter_mut().enumerate() {
+            *component = Lanes::from_lanes(|i| site(i).map_or(S::ZERO, |site| site.position[j]));
+        }
+        let reach_squared =
+            Lanes::from_lanes(|i| site(i).map_or(S::ZERO, |site| site.reach_squared));
+        Self {
+            position,
+            reach_squared,
+        }
+    }
+}
+
+/// The displacement of every lane from one partner.
+#[inline(always)]
+fn displacement<S: Scalar, const D: usize, const L: usize>(
+    position: &[Lanes<S, L>; D],
+    partner: &[S; D],
+    shift: &[S; D],
+) -> [Lanes<S, L>; D] {
+    let mut r = [Lanes::zero(); D];
+    for i in 0..D {
+        r[i] = Offset::Shift(shift[i]).displacement(position[i], Lanes::splat(partner[i]));
+    }
+    r
+}
+
+/// The shift of an image that is not mirrored.
+#[inline(always)]
+fn shift_of<S: Scalar, const D: usize>(cells: &Cells<'_, S, D>, image: Image<D>) -> [S; D] {
+    cells.grid().offsets(image).map(|offset| match offset {
+        Offset::Shift(shift) => shift,
+        Offset::Wall(_) => S::ZERO,
+    })
+}
+
+/// Fills `words` with one block of the stream of a [`List`]: the candidates in `runs` that any
+/// receiver needs. Returns how many words it took.
+#[inline(always)]
+pub fn find<S: Scalar, const D: usize, const L: usize>(
+    cells: &Cells<'_, S, D>,
+    receivers: &Receivers<S, D, L>,
+    runs: &Runs<D>,
+    words: &mut [u32],
+) -> usize {
+    let mut used = 1;
+    let mut head: Option<(usize, u32)> = None;
+    for run in runs {
+        let image = run.image.packed();
+        // Runs with the same image share one stretch.
+        let (at, image) = match head {
+            Some((at, before)) if before == image => (at, image),
+            _ => {
+                let at = used;
+                used += 2;
+                (at, image)
+            }
+        };
+        head = Some((at, image));
+        let shift = shift_of(cells, run.image);
+        let sites = cells
+            .sites()
+            .get(run.start as usize..run.end as usize)
+            .unwrap_or(&[]);
+        for (place, site) in (run.start..).zip(sites) {
+            let r = displacement(&receivers.position, &site.position, &shift);
+            let distance_squared = Lanes::length_squared(&r);
+            let reach = receivers
+                .reach_squared
+                .max(Lanes::splat(site.reach_squared));
+            // Written always, kept if needed: no branch.
+            if let Some(word) = words.get_mut(used) {
+                *word = place;
+            }
+            used += usize::from(distance_squared.any_below(reach));
+        }
+        if let Some([code, count]) = words.get_mut(at..at + 2) {
+            (*code, *count) = (image, (used - at - 2) as u32);
+        }
+    }
+    if let Some(count) = words.first_mut() {
+        *count = used as u32 - 1;
+    }
+    used
+}
+
+/// Evaluates the law for one block until every lane is done. A lane that is done freezes.
+fn settle_block<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
+    law: &W,
+    cells: &Cells<'_, S, D>,
+    nodes: &[W::Node],
+    block: &Block<D>,
+    candidates: &[u32],
+    settled: &mut [Settled<W::Node, W::Sums>],
+) {
+    let receivers = Receivers::<S, D, L>::of(cells, block);
+    let mut own = [W::Node::ZERO; L];
+    let mut done = [false; L];
+    let shown = nodes.get(block.start..block.end).unwrap_or(&[]);
+    for (own, shown) in own.iter_mut().zip(shown) {
+        *own = *shown;
+    }
+    let count = shown.len().min(L);
+    let near_wall = |place| cells.grid().near_wall(&cells.cell(place));
+    let walls = cells.grid().has_walls() && (block.start..block.end).any(near_wall);
+    loop {
+        let k = W::Node::gather::<Lanes<S, L>>(own.get(..count).unwrap_or(&[]));
+        let block_of = Operands {
+            receivers: &receivers,
+            k: &k,
+            candidates,
+        };
+        let mut sums = W::Sums::ZERO.splat::<Lanes<S, L>>();
+        K::sum::<S, D, L, W>(law, cells, nodes, &block_of, &mut sums);
+        let mut all_done = true;
+        let lanes = own.iter_mut().zip(&mut done).zip(settled.iter_mut());
+        for (i, ((own, done), settled)) in lanes.enumerate() {
+            if *done {
+                continue;
+            }
+            let mut received = W::Sums::lane::<Lanes<S, L>>(&sums, i);
+            if walls {
+                received = with_mirrors(law, cells, nodes, block.start + i, own, received);
+            }
+            *done = law.close(own, &received);
+            *settled = Settled::new(*own, received);
+            all_done &= *done;
+        }
+        if all_done {
+            return;
+        }
+    }
+}
+
+/// The sums of a receiver with those from behind the walls.
+fn with_mirrors<S: Scalar, const D: usize, W: Law<S, D>>(
+    law: &W,
+    cells: &Cells<'_, S, D>,
+    nodes: &[W::Node],
+    place: usize,
+    node: &W::Node,
+    received: W::Sums,
+) -> W::Sums {
+    let mut sums = received.splat::<S>();
+    mirror_terms(
+        law,
+        cells,
+        nodes,
+        place,
+        &cells.cell(place),
+        node,
+        &mut sums,
+    );
+    W::Sums::lane::<S>(&sums, 0)
+}
+
+/// Adds the terms of the candidates of a block to its sums.
+#[inline(always)]
+pub fn sum<S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
+    law: &W,
+    cells: &Cells<'_, S, D>,
+    nodes: &[W::Node],
+    block: &Operands<'_, S, D, L, W>,
+    sums: &mut <W::Sums as Fields<S>>::Of<Lanes<S, L>>,
+) {
+    let (k, position) = (*block.k, block.receivers.position);
+    let mut to_k = *sums;
+    let mut discarded = W::Sums::ZERO.splat::<Lanes<S, L>>();
+    let sites = cells.sites();
+    let mut candidates = block.candidates;
+    while let [image, count, rest @ ..] = candidates {
+        let (stretch, rest) = rest
+            .split_at_checked(*count as usize)
+            .unwrap_or((rest, &[]));
+        candidates = rest;
+        let shift = shift_of(cells, Image::unpacked(*image));
+        for &place in stretch {
+            let (Some(site), Some(shown)) = (sites.get(place as usize), nodes.get(place as usize))
+            else {
+                continue;
+            };
+            let r = displacement(&position, &site.position, &shift);
+            let distance_squared = Lanes::length_squared(&r);
+            let l = shown.splat::<Lanes<S, L>>();
+            law.pair(&k, &l, &r, distance_squared, &mut to_k, &mut discarded);
+        }
+    }
+    *sums = to_k;
+}

@@ -1,0 +1,194 @@
+//! What an equation has to say, and who carries it out.
+
+use crate::error::Error;
+use crate::neighbours::Cells;
+use crate::scalar::{Number, Scalar};
+
+use super::{half, plain};
+
+/// A record of scalars that also exists with lanes in place of the scalars.
+///
+/// [`crate::record!`] writes the implementation.
+pub trait Fields<S: Scalar>: Copy + Send + Sync {
+    /// The same record over another number.
+    type Of<N: Number<Scalar = S>>: Copy;
+    /// Every field 0.
+    const ZERO: Self;
+    /// The same record in every lane.
+    fn splat<N: Number<Scalar = S>>(&self) -> Self::Of<N>;
+    /// Lane `i` holds `records[i]`; lanes beyond the end hold the last one.
+    fn gather<N: Number<Scalar = S>>(records: &[Self]) -> Self::Of<N>;
+    /// The record in lane `i`.
+    fn lane<N: Number<Scalar = S>>(of: &Self::Of<N>, i: usize) -> Self;
+}
+
+/// Defines a record over a number, and its [`Fields`].
+#[macro_export]
+macro_rules! record {
+    (
+        $(#[$doc:meta])*
+        pub struct $name:ident<N, const D: usize> {
+            $($(#[$field_doc:meta])* pub $field:ident: N,)*
+            $(; $($(#[$vector_doc:meta])* pub $vector:ident: [N; D],)*)?
+        }
+    ) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct $name<N, const D: usize> {
+            $($(#[$field_doc])* pub $field: N,)*
+            $($($(#[$vector_doc])* pub $vector: [N; D],)*)?
+        }
+
+        impl<S: $crate::scalar::Scalar, const D: usize> $crate::pairs::Fields<S> for $name<S, D> {
+            type Of<N: $crate::scalar::Number<Scalar = S>> = $name<N, D>;
+            const ZERO: Self = Self {
+                $($field: S::ZERO,)*
+                $($($vector: [S::ZERO; D],)*)?
+            };
+
+            #[inline(always)]
+            fn splat<N: $crate::scalar::Number<Scalar = S>>(&self) -> $name<N, D> {
+                $name {
+                    $($field: N::splat(self.$field),)*
+                    $($($vector: {
+                        let mut vector = [N::zero(); D];
+                        for i in 0..D {
+                            vector[i] = N::splat(self.$vector[i]);
+                        }
+                        vector
+                    },)*)?
+                }
+            }
+            #[inline(always)]
+            fn gather<N: $crate::scalar::Number<Scalar = S>>(records: &[Self]) -> $name<N, D> {
+                let record = |i: usize| records.get(i).or(records.last()).copied();
+                $name {
+                    $($field: N::from_lanes(|i| record(i).map_or(S::ZERO, |r| r.$field)),)*
+                    $($($vector: core::array::from_fn(|j| {
+                        N::from_lanes(|i| record(i).map_or(S::ZERO, |r| r.$vector[j]))
+                    }),)*)?
+                }
+            }
+            #[inline(always)]
+            fn lane<N: $crate::scalar::Number<Scalar = S>>(of: &$name<N, D>, i: usize) -> Self {
+                Self {
+                    $($field: of.$field.lane(i),)*
+                    $($($vector: {
+                        let mut vector = [S::ZERO; D];
+                        for j in 0..D {
+                            vector[j] = of.$vector[j].lane(i);
+                        }
+                        vector
+                    },)*)?
+                }
+            }
+        }
+    };
+}
+
+/// An equation: a sum over partners of a pair term.
+///
+/// It has no storage, no threads and no loop over neighbours. Everything is indexed as in
+/// the paper: `k` receives, `l` is its partner, `r = x_k - x_l`.
+pub trait Law<S: Scalar, const D: usize>: Sync {
+    /// What a particle shows to its partners.
+    type Node: Fields<S>;
+    /// What it receives.
+    type Sums: Fields<S>;
+
+    /// Adds the term of the pair to both of its particles.
+    ///
+    /// What `l` receives here has the bits that it would receive as `k` of the pair seen from
+    /// the other side: write terms that are equal or exactly opposite, and functions of one
+    /// of the two for each its own. A pair out of reach must add exactly 0. With `r = 0` it
+    /// is the term of a particle on itself.
+    fn pair<N: Number<Scalar = S>>(
+        &self,
+        k: &<Self::Node as Fields<S>>::Of<N>,
+        l: &<Self::Node as Fields<S>>::Of<N>,
+        r: &[N; D],
+        distance_squared: N,
+        to_k: &mut <Self::Sums as Fields<S>>::Of<N>,
+        to_l: &mut <Self::Sums as Fields<S>>::Of<N>,
+    );
+
+    /// Looks at a particle's sums: `true` when they are final; `false` to have them made
+    /// again with the node that it changed. A law that does so bounds its passes itself.
+    fn close(&self, node: &mut Self::Node, sums: &Self::Sums) -> bool {
+        let _ = (node, sums);
+        true
+    }
+
+    /// The mirror image of a node in a wall across direction `axis`; its position is not
+    /// part of it.
+    fn reflected(&self, node: &Self::Node, axis: usize) -> Self::Node {
+        let _ = axis;
+        *node
+    }
+}
+
+/// The node of a particle after the last pass, and its sums.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settled<Node, Sums> {
+    /// As [`Law::close`] left it.
+    pub node: Node,
+    /// The sums of the last pass.
+    pub sums: Sums,
+}
+
+impl<Node, Sums> Settled<Node, Sums> {
+    /// A result that has not been written yet.
+    pub const fn new(node: Node, sums: Sums) -> Self {
+        Self { node, sums }
+    }
+}
+
+/// Who carries a law out over a cloud. All engines give the same bits.
+pub trait Engine<S: Scalar, const D: usize> {
+    /// The cloud was sorted anew: anything remembered of the neighbours is void.
+    fn sorted(&mut self) {}
+
+    /// Evaluates `law` for every particle; `nodes` and `settled` are in sorted order and as
+    /// long as the cloud.
+    fn sweep<W: Law<S, D>>(
+        &mut self,
+        law: &W,
+        cells: &Cells<'_, S, D>,
+        nodes: &[W::Node],
+        settled: &mut [Settled<W::Node, W::Sums>],
+    ) -> Result<(), Error>;
+}
+
+/// The plain loop: the definition of every sum.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct PlainLoop;
+
+impl<S: Scalar, const D: usize> Engine<S, D> for PlainLoop {
+    fn sweep<W: Law<S, D>>(
+        &mut self,
+        law: &W,
+        cells: &Cells<'_, S, D>,
+        nodes: &[W::Node],
+        settled: &mut [Settled<W::Node, W::Sums>],
+    ) -> Result<(), Error> {
+        plain(law, cells, nodes, 0, settled);
+        Ok(())
+    }
+}
+
+/// The half loop: every pair once. The engine of a device.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct HalfLoop;
+
+impl<S: Scalar, const D: usize> Engine<S, D> for HalfLoop {
+    fn sweep<W: Law<S, D>>(
+        &mut self,
+        law: &W,
+        cells: &Cells<'_, S, D>,
+        nodes: &[W::Node],
+        settled: &mut [Settled<W::Node, W::Sums>],
+    ) -> Result<(), Error> {
+        half(law, cells, nodes, settled);
+        Ok(())
+    }
+}

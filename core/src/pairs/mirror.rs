@@ -1,0 +1,51 @@
+//! Partners behind walls. They come after all real and periodic ones: wall by wall in a
+//! fixed order, each wall in ascending sorted order.
+
+use super::law::{Fields, Law};
+use super::plain::run_terms;
+use crate::neighbours::{Cells, code};
+use crate::scalar::Scalar;
+
+/// Adds the terms of the mirror images to the sums of the receiver at `place` in `cell`.
+///
+/// Walls are counted in base 3, the first direction slowest: 0 no wall, 1 the lower, 2 the
+/// upper one; images across two or three walls at an edge or corner are among them.
+pub(super) fn mirror_terms<S: Scalar, const D: usize, W: Law<S, D>>(
+    law: &W,
+    cells: &Cells<'_, S, D>,
+    nodes: &[W::Node],
+    place: usize,
+    cell: &[u32; D],
+    node: &W::Node,
+    sums: &mut <W::Sums as Fields<S>>::Of<S>,
+) {
+    if !cells.grid().near_wall(cell) {
+        return;
+    }
+    for combination in 1..3u32.pow(D as u32) {
+        let mut mirror = [0; D];
+        let mut rest = combination;
+        for wall in mirror.iter_mut().rev() {
+            (*wall, rest) = ((rest % 3) as u8, rest / 3);
+        }
+        for run in &cells.mirror_runs(cell, &mirror) {
+            run_terms(law, cells, nodes, place, node, run, sums);
+        }
+    }
+}
+
+/// The node of `l` as its image shows it.
+#[inline(always)]
+pub(super) fn image_of<S: Scalar, const D: usize, W: Law<S, D>>(
+    law: &W,
+    node: &W::Node,
+    image: &[u8; D],
+) -> W::Node {
+    let mut node = *node;
+    for (axis, &seen) in image.iter().enumerate() {
+        if seen == code::LOWER_WALL || seen == code::UPPER_WALL {
+            node = law.reflected(&node, axis);
+        }
+    }
+    node
+}

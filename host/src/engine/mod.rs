@@ -1,0 +1,123 @@
+//! Carrying laws out on a server: threads over ranges of receivers, lanes within them.
+//!
+//! Every choice made here (threads, instruction set, number of lanes) is one of speed. The
+//! bits are those of the plain loop.
+
+mod instruction_set;
+mod kernels;
+mod list;
+
+use motes_core::error::{Container, Error};
+use motes_core::neighbours::Cells;
+use motes_core::pairs::{Engine, Law, Settled, plain};
+use motes_core::scalar::Scalar;
+use rayon::prelude::*;
+
+pub use instruction_set::InstructionSet;
+pub use kernels::HostScalar;
+pub use list::GrowingList;
+
+/// Receivers of one task at the least: below it, handing work over costs more than it saves.
+const SMALLEST_TASK: usize = 1024;
+
+/// The engine of the host: receiver lanes over ranges of the sorted order, in parallel.
+pub struct Threads {
+    pool: rayon::ThreadPool,
+    instruction_set: InstructionSet,
+    lists: Vec<GrowingList>,
+    fresh: bool,
+}
+
+/// The threads asked for could not be started.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+#[error("cannot start {threads} threads: {source}")]
+#[diagnostic(help("use a smaller number with --threads"))]
+pub struct ThreadsError {
+    threads: usize,
+    source: rayon::ThreadPoolBuildError,
+}
+
+impl Threads {
+    /// An engine of `threads` threads (0: as many as the machine has cores) with the widest
+    /// instruction set that the processor has.
+    pub fn new(threads: usize) -> Result<Self, ThreadsError> {
+        Self::with(threads, InstructionSet::detect())
+    }
+
+    /// The same with an instruction set of choice; falls back to what the processor has.
+    pub fn with(threads: usize, set: InstructionSet) -> Result<Self, ThreadsError> {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .map_err(|source| ThreadsError { threads, source })?;
+        Ok(Self {
+            pool,
+            instruction_set: set.available(),
+            lists: Vec::new(),
+            fresh: true,
+        })
+    }
+
+    /// Number of threads.
+    pub fn threads(&self) -> usize {
+        self.pool.current_num_threads()
+    }
+}
+
+impl<S: HostScalar, const D: usize> Engine<S, D> for Threads {
+    fn sorted(&mut self) {
+        self.fresh = true;
+    }
+
+    fn sweep<W: Law<S, D>>(
+        &mut self,
+        law: &W,
+        cells: &Cells<'_, S, D>,
+        nodes: &[W::Node],
+        settled: &mut [Settled<W::Node, W::Sums>],
+    ) -> Result<(), Error> {
+        let threads = self.pool.current_num_threads();
+        // Several tasks a thread: the ranges are not equally much work.
+        let task = nodes.len().div_ceil(4 * threads).max(SMALLEST_TASK);
+        let fresh = std::mem::replace(&mut self.fresh, false);
+        self.lists
+            .resize_with(nodes.len().div_ceil(task), GrowingList::default);
+        let set = self.instruction_set;
+        let run = |(i, (settled, list)): (usize, (&mut [_], &mut GrowingList))| {
+            if fresh {
+                list.clear();
+            }
+            S::sweep(set, law, cells, nodes, i * task, settled, list, fresh)
+        };
+        let complete = if threads == 1 {
+            let mut tasks = settled.chunks_mut(task).zip(&mut self.lists).enumerate();
+            tasks.all(run)
+        } else {
+            let tasks = settled
+                .par_chunks_mut(task)
+                .zip(&mut self.lists)
+                .enumerate();
+            self.pool
+                .install(|| tasks.map(run).reduce(|| true, |a, b| a && b))
+        };
+        let particles = nodes.len() as u32;
+        let full = Error::Capacity {
+            container: Container::Candidates,
+            needed: u32::MAX,
+            capacity: particles,
+        };
+        if complete { Ok(()) } else { Err(full) }
+    }
+}
+
+/// Threads over the plain loop: for scalars that lanes do not speed up.
+pub(crate) fn plain_range<S: Scalar, const D: usize, W: Law<S, D>>(
+    law: &W,
+    cells: &Cells<'_, S, D>,
+    nodes: &[W::Node],
+    first: usize,
+    settled: &mut [Settled<W::Node, W::Sums>],
+) -> bool {
+    plain(law, cells, nodes, first, settled);
+    true
+}

@@ -1,0 +1,2 @@
+//! The `motes` program.
+fn main() {}

@@ -2,12 +2,12 @@
 
 use core::fmt;
 
-use xxhash_rust::xxh64::Xxh64;
+use xxhash_rust::xxh64::xxh64;
 
 use crate::equation::gas::Gas;
 use crate::scalar::Scalar;
 
-/// XXH64 (seed 0) over the bits of a state; printed as 16 hexadecimal digits.
+/// A chain of XXH64: printed as 16 hexadecimal digits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Digest(pub u64);
 
@@ -17,26 +17,25 @@ impl fmt::Display for Digest {
     }
 }
 
-/// Feeds arrays of scalars to a [`Digest`].
-pub struct Digester(Xxh64);
-
-impl Default for Digester {
-    fn default() -> Self {
-        Self::new()
-    }
-}
+/// Takes scalars into a [`Digest`], one after the other.
+///
+/// The digest after a scalar is the XXH64 of its bytes with the digest before it as the
+/// seed, from 0. (One call of the hash for each scalar: a streaming hash keeps a buffer, and
+/// its bookkeeping has panics in it.)
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Digester(u64);
 
 impl Digester {
     /// A digest of nothing yet.
-    pub fn new() -> Self {
-        Self(Xxh64::new(0))
+    pub const fn new() -> Self {
+        Self(0)
     }
 
     /// Adds one scalar: its bit pattern, least significant byte first.
     pub fn scalar<S: Scalar>(&mut self, value: S) {
         // -0.0 + 0.0 is +0.0: both zeros have one digest.
         let bytes = (value + S::ZERO).bits().to_le_bytes();
-        self.0.update(bytes.get(..S::BYTES).unwrap_or(&bytes));
+        self.0 = xxh64(bytes.get(..S::BYTES).unwrap_or(&bytes), self.0);
     }
 
     /// Adds an array, in id order.
@@ -55,7 +54,7 @@ impl Digester {
 
     /// The digest of all that was added.
     pub fn digest(&self) -> Digest {
-        Digest(self.0.digest())
+        Digest(self.0)
     }
 }
 

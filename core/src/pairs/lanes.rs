@@ -293,11 +293,16 @@ fn settle_block<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, 
     for (own, shown) in own.iter_mut().zip(shown) {
         *own = *shown;
     }
-    let count = shown.len().min(L);
+    // Lanes without a receiver compute like the last one, and nobody looks.
+    if let Some(last) = shown.last() {
+        own.iter_mut()
+            .skip(shown.len())
+            .for_each(|own| *own = *last);
+    }
     let near_wall = |place| cells.grid().near_wall(&cells.cell(place));
     let walls = cells.grid().has_walls() && (block.start..block.end).any(near_wall);
     loop {
-        let k = W::Node::gather::<Lanes<S, L>>(own.get(..count).unwrap_or(&[]));
+        let k = W::Node::gather::<Lanes<S, L>>(&own);
         let block_of = Operands {
             receivers: &receivers,
             k: &k,

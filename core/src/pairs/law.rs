@@ -16,7 +16,7 @@ pub trait Fields<S: Scalar>: Copy + Send + Sync {
     const ZERO: Self;
     /// The same record in every lane.
     fn splat<N: Number<Scalar = S>>(&self) -> Self::Of<N>;
-    /// Lane `i` holds `records[i]`; lanes beyond the end hold the last one.
+    /// Lane `i` holds `records[i]`, and 0 beyond the end.
     fn gather<N: Number<Scalar = S>>(records: &[Self]) -> Self::Of<N>;
     /// The record in lane `i`.
     fn lane<N: Number<Scalar = S>>(of: &Self::Of<N>, i: usize) -> Self;
@@ -61,12 +61,21 @@ macro_rules! record {
             }
             #[inline(always)]
             fn gather<N: $crate::scalar::Number<Scalar = S>>(records: &[Self]) -> $name<N, D> {
-                let record = |i: usize| records.get(i).or(records.last()).copied();
                 $name {
-                    $($field: N::from_lanes(|i| record(i).map_or(S::ZERO, |r| r.$field)),)*
-                    $($($vector: core::array::from_fn(|j| {
-                        N::from_lanes(|i| record(i).map_or(S::ZERO, |r| r.$vector[j]))
-                    }),)*)?
+                    $($field: N::from_lanes(
+                        #[inline(always)]
+                        |i| records.get(i).map_or(S::ZERO, |record| record.$field)
+                    ),)*
+                    $($($vector: {
+                        let mut vector = [N::zero(); D];
+                        for j in 0..D {
+                            vector[j] = N::from_lanes(
+                                #[inline(always)]
+                                |i| records.get(i).map_or(S::ZERO, |record| record.$vector[j])
+                            );
+                        }
+                        vector
+                    },)*)?
                 }
             }
             #[inline(always)]

@@ -17,9 +17,11 @@ pub mod density;
 mod dynamics;
 pub mod motion;
 pub mod state;
+pub mod tube;
 pub mod viscosity;
 
 pub use density::Width;
 pub use dynamics::GasDynamics;
 pub use state::{Gas, GasStorage, Particle, Workspace};
+pub use tube::{Stretch, Tube};
 pub use viscosity::Viscosity;

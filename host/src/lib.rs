@@ -1,5 +1,13 @@
 //! motes on a server: scenarios, threads, exact solutions, reports.
-#![warn(missing_docs)]
 
+pub mod benchmark;
+pub mod cli;
+pub mod comparison;
 pub mod engine;
+pub mod exact;
+pub mod export;
+pub mod io;
+pub mod report;
+pub mod scenario;
 pub mod simulation;
+pub mod units;

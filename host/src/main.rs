@@ -1,2 +1,7 @@
 //! The `motes` program.
-fn main() {}
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    motes::cli::main()
+}

@@ -28,13 +28,28 @@ pub struct Threads {
     fresh: bool,
 }
 
+/// More threads than any machine this is meant for has cores; a slip of the keyboard.
+const MOST_THREADS: usize = 1024;
+
 /// The threads asked for could not be started.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
-#[error("cannot start {threads} threads: {source}")]
-#[diagnostic(help("use a smaller number with --threads"))]
-pub struct ThreadsError {
-    threads: usize,
-    source: rayon::ThreadPoolBuildError,
+pub enum ThreadsError {
+    /// Too many.
+    #[error("{threads} threads are more than the {MOST_THREADS} that may be asked for")]
+    #[diagnostic(help("use --threads 0 for as many as the machine has cores"))]
+    TooMany {
+        /// How many were asked for.
+        threads: usize,
+    },
+    /// The system refused.
+    #[error("cannot start {threads} threads")]
+    #[diagnostic(help("use a smaller number with --threads"))]
+    Start {
+        /// How many were asked for.
+        threads: usize,
+        /// Why.
+        source: rayon::ThreadPoolBuildError,
+    },
 }
 
 impl Threads {
@@ -46,16 +61,24 @@ impl Threads {
 
     /// The same with an instruction set of choice; falls back to what the processor has.
     pub fn with(threads: usize, set: InstructionSet) -> Result<Self, ThreadsError> {
+        if threads > MOST_THREADS {
+            return Err(ThreadsError::TooMany { threads });
+        }
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
             .build()
-            .map_err(|source| ThreadsError { threads, source })?;
+            .map_err(|source| ThreadsError::Start { threads, source })?;
         Ok(Self {
             pool,
             instruction_set: set.available(),
             lists: Vec::new(),
             fresh: true,
         })
+    }
+
+    /// The instruction set of the inner loops.
+    pub fn instruction_set(&self) -> InstructionSet {
+        self.instruction_set
     }
 
     /// Number of threads.

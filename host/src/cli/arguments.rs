@@ -1,0 +1,145 @@
+//! Flags and their help.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+use super::Failure;
+use crate::scenario::{Scenario, Source};
+use crate::simulation::{ScalarName, UnknownScalar};
+
+/// A deterministic particle solver for first-order systems of partial differential equations.
+#[derive(Parser)]
+#[command(name = "motes", version, arg_required_else_help = true)]
+pub(super) struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Subcommand)]
+pub(super) enum Command {
+    /// Run a scenario and compare it with its exact solution
+    Run(RunArguments),
+    /// List the built-in scenarios
+    List,
+    /// Print a scenario's TOML, to copy and edit
+    Show {
+        /// A built-in scenario, see `motes list`
+        name: String,
+    },
+    /// Print a scenario as Rust source for a device
+    Export(ExportArguments),
+    /// Measure speed: gas dynamics in a jittered periodic box, particle updates a second
+    Bench(BenchArguments),
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  motes run sod                                     the built-in shock tube
+  motes run sod --scalar q12.19 -n 450              in 32-bit fixed point, with 450 particles
+  motes run sod --set viscosity.kind=von_neumann    with another viscosity
+  motes run sod --set region.1.pressure=0.01        with a stronger shock
+  motes show sod > tube.toml; motes run tube.toml   a scenario of your own
+  motes run sod --json | jq .errors.density.l1      for a script
+
+Files written into --out: particles.csv (with the exact solution), series.csv (the
+diagnostics over time), figure.svg, scenario.toml (what was run, with --set applied).
+Exit codes: 0 done, 1 the run failed, 2 the input cannot be used, 130 interrupted.";
+
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct RunArguments {
+    /// A built-in scenario, or a file that ends in .toml
+    #[arg(value_name = "NAME|FILE.toml")]
+    pub scenario: String,
+    /// The number format: f64, f32, micromath, or fixed point such as q12.19
+    #[arg(long, default_value = "f64", value_name = "SCALAR")]
+    pub scalar: String,
+    /// Number of threads; 0 for all cores. The results do not depend on it
+    #[arg(long, default_value_t = 0, value_name = "N")]
+    pub threads: usize,
+    /// Number of particles; the same as --set resolution.particles=N
+    #[arg(short = 'n', long, value_name = "N")]
+    pub particles: Option<String>,
+    /// Folder for the results [default: out/<name>]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Change a value of the scenario; may be given several times
+    #[arg(long = "set", value_name = "SECTION.KEY=VALUE")]
+    pub overrides: Vec<String>,
+    /// Print one JSON object on standard output, and nothing else
+    #[arg(long)]
+    pub json: bool,
+    /// Print nothing but errors
+    #[arg(long)]
+    pub quiet: bool,
+    /// Fixed point: stop at the first overflow and name its particle and quantity. Same
+    /// digits, about five times slower
+    #[arg(long)]
+    pub check_overflow: bool,
+}
+
+#[derive(Args)]
+pub(super) struct ExportArguments {
+    /// A built-in scenario, or a file that ends in .toml
+    #[arg(value_name = "NAME|FILE.toml")]
+    pub scenario: String,
+    /// Number of particles; the same as --set resolution.particles=N
+    #[arg(short = 'n', long, value_name = "N")]
+    pub particles: Option<String>,
+    /// Change a value of the scenario; may be given several times
+    #[arg(long = "set", value_name = "SECTION.KEY=VALUE")]
+    pub overrides: Vec<String>,
+}
+
+#[derive(Args)]
+pub(super) struct BenchArguments {
+    /// Which cases: 1d, 2d, 3d; all without
+    #[arg(value_name = "CASE")]
+    pub cases: Vec<String>,
+    /// The number format: f32, f64
+    #[arg(long, default_value = "f32", value_name = "SCALAR")]
+    pub scalar: String,
+    /// Number of threads; 0 for all cores
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    pub threads: usize,
+    /// Print one JSON list on standard output, and nothing else
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// The scenario of that name or file, with its changes.
+pub(super) fn scenario(
+    name: &str,
+    particles: Option<&str>,
+    overrides: &[String],
+) -> Result<Scenario, Failure> {
+    let mut overrides = overrides.to_vec();
+    if let Some(particles) = particles {
+        overrides.push(format!("resolution.particles={}", whole_number(particles)?));
+    }
+    Scenario::read(Source::from(name), &overrides).map_err(|error| Failure::Input(error.into()))
+}
+
+/// A positive whole number, also as 1e6.
+fn whole_number(text: &str) -> Result<u64, Failure> {
+    let exact = text.parse::<u64>().ok();
+    let scientific = || {
+        text.parse::<f64>()
+            .ok()
+            .filter(|x| x.fract() == 0.0 && *x < 1e18)
+    };
+    match exact.or_else(|| scientific().filter(|x| *x >= 0.0).map(|x| x as u64)) {
+        Some(number) if number > 0 => Ok(number),
+        _ => Err(Failure::Input(miette::miette!(
+            help = "give a whole number above 0, such as -n 900 or -n 1e6",
+            "--particles {text} is not a number of particles"
+        ))),
+    }
+}
+
+/// The scalar of that name, or an error that lists them.
+pub(super) fn scalar(name: &str) -> Result<ScalarName, Failure> {
+    name.parse()
+        .map_err(|error: UnknownScalar| Failure::Input(error.into()))
+}

@@ -1,0 +1,23 @@
+//! `motes export`.
+
+use miette::IntoDiagnostic;
+
+use super::Failure;
+use super::arguments::{ExportArguments, scenario};
+use crate::comparison::ExactSolution;
+use crate::simulation::Plan;
+
+/// Prints the scenario as Rust source.
+pub(super) fn export(arguments: &ExportArguments) -> Result<(), Failure> {
+    let scenario = scenario(
+        &arguments.scenario,
+        arguments.particles.as_deref(),
+        &arguments.overrides,
+    )?;
+    let plan = Plan::new(&scenario).map_err(|error| Failure::Input(error.into()))?;
+    let exact = ExactSolution::of(&scenario)
+        .into_diagnostic()
+        .map_err(Failure::Input)?;
+    print!("{}", crate::export::tube(&scenario, &plan, exact.as_ref()));
+    Ok(())
+}

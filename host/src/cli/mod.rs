@@ -1,0 +1,63 @@
+//! The command line. Others script against it: add, do not change.
+
+mod arguments;
+mod bench;
+mod export;
+mod run;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use crate::scenario::{Scenario, Source};
+use arguments::{Arguments, Command};
+
+/// What the program ends with.
+enum Failure {
+    /// Input that cannot be used: exit code 2.
+    Input(miette::Report),
+    /// A run that failed: exit code 1.
+    Run(miette::Report),
+    /// Ctrl-C: exit code 130, as a shell expects of a program that stopped at an interrupt.
+    Interrupted(miette::Report),
+}
+
+/// Runs the program with the arguments of the process.
+pub fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let result = match arguments.command {
+        Command::Run(arguments) => run::run(&arguments),
+        Command::List => list(),
+        Command::Show { name } => show(&name),
+        Command::Export(arguments) => export::export(&arguments),
+        Command::Bench(arguments) => bench::bench(&arguments),
+    };
+    let (report, code) = match result {
+        Ok(()) => return ExitCode::SUCCESS,
+        Err(Failure::Input(report)) => (report, 2),
+        Err(Failure::Run(report)) => (report, 1),
+        Err(Failure::Interrupted(report)) => (report, 130),
+    };
+    eprintln!("{report:?}");
+    ExitCode::from(code)
+}
+
+/// `motes list`.
+fn list() -> Result<(), Failure> {
+    for built_in in crate::scenario::BUILT_IN {
+        let source = Source::BuiltIn(built_in.name.to_owned());
+        let scenario = Scenario::read(source, &[]).map_err(|error| Failure::Input(error.into()))?;
+        println!("{:<20} {}", scenario.name, scenario.description);
+    }
+    Ok(())
+}
+
+/// `motes show NAME`.
+fn show(name: &str) -> Result<(), Failure> {
+    let source = Source::from(name);
+    let text = source
+        .text()
+        .map_err(|error| Failure::Input(error.into()))?;
+    print!("{text}");
+    Ok(())
+}

@@ -1,0 +1,4 @@
+//! What a run tells people and programs.
+
+pub mod figure;
+pub mod summary;

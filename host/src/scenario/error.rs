@@ -1,0 +1,111 @@
+//! The error of reading a scenario, with the place in the text it comes from.
+
+use std::fmt;
+use std::ops::Range;
+
+use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
+
+use super::problem::Problem;
+
+/// Why a scenario was refused, where in which text, and what to do.
+///
+/// As a `miette::Report` it prints `file:line:column`, the line itself and the cure.
+#[derive(Debug)]
+pub struct ScenarioError(Box<Located>);
+
+#[derive(Debug)]
+struct Located {
+    problem: Problem,
+    place: Option<(NamedSource<String>, Range<usize>)>,
+}
+
+/// A stretch of a named text.
+#[derive(Debug)]
+pub(super) struct Place {
+    /// What the text is called: a path, a built-in name, `--set`.
+    pub name: String,
+    /// The whole text.
+    pub text: String,
+    /// Bytes of the text.
+    pub span: Range<usize>,
+}
+
+/// A problem at some bytes of a text that the caller knows.
+#[derive(Debug)]
+pub(super) struct Fault {
+    pub problem: Box<Problem>,
+    pub span: Range<usize>,
+}
+
+impl Fault {
+    pub fn new(problem: Problem, span: Range<usize>) -> Self {
+        let problem = Box::new(problem);
+        Self { problem, span }
+    }
+
+    /// The error, once it is known which text the bytes belong to.
+    pub fn within(self, name: &str, text: &str) -> ScenarioError {
+        ScenarioError::new(
+            *self.problem,
+            Place {
+                name: name.to_owned(),
+                text: text.to_owned(),
+                span: self.span,
+            },
+        )
+    }
+}
+
+impl ScenarioError {
+    pub(super) fn new(problem: Problem, place: Place) -> Self {
+        let text = NamedSource::new(place.name, place.text);
+        Self(Box::new(Located {
+            problem,
+            place: Some((text, place.span)),
+        }))
+    }
+
+    pub(super) fn without_place(problem: Problem) -> Self {
+        let place = None;
+        Self(Box::new(Located { problem, place }))
+    }
+
+    /// What is wrong.
+    pub fn problem(&self) -> &Problem {
+        &self.0.problem
+    }
+
+    /// Line and column, each from 1, unless no text could be read.
+    pub fn line_and_column(&self) -> Option<(usize, usize)> {
+        let (text, span) = self.0.place.as_ref()?;
+        let before = text.inner().get(..span.start)?;
+        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        let line = 1 + before.matches('\n').count();
+        Some((line, 1 + before[line_start..].chars().count()))
+    }
+}
+
+impl fmt::Display for ScenarioError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.problem.fmt(formatter)
+    }
+}
+
+impl std::error::Error for ScenarioError {}
+
+impl Diagnostic for ScenarioError {
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        Some(Box::new(self.0.problem.help()))
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        let (text, _) = self.0.place.as_ref()?;
+        Some(text)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        let (_, span) = self.0.place.as_ref()?;
+        let label = LabeledSpan::at(span.clone(), "here");
+        Some(Box::new(std::iter::once(label)))
+    }
+}

@@ -1,0 +1,133 @@
+//! The boxes of a scenario: domain, regions, window.
+
+use super::error::Fault;
+use super::problem::Problem;
+use super::section::{Entry, Section};
+use super::{Domain, Extent, Region, Side};
+
+const SIDES: &[(&str, Side)] = &[
+    ("periodic", Side::Periodic),
+    ("mirror", Side::Mirror),
+    ("free", Side::Free),
+];
+
+const AXES: [char; 3] = ['x', 'y', 'z'];
+
+/// A box of positive volume.
+fn extent(section: &Section<'_>, dimension: usize) -> Result<Extent, Fault> {
+    let lower = section.required("lower")?.vector(dimension)?;
+    let upper_entry = section.required("upper")?;
+    let upper = upper_entry.vector(dimension)?;
+    for ((&lower, &upper), axis) in lower.iter().zip(&upper).zip(AXES) {
+        if upper <= lower {
+            let key = section.path().to_owned();
+            return Err(upper_entry.fault(Problem::EmptyBox {
+                key,
+                axis,
+                lower,
+                upper,
+            }));
+        }
+    }
+    Ok(Extent { lower, upper })
+}
+
+/// A box of `section` that must lie in the domain.
+pub(super) fn extent_inside(section: &Section<'_>, domain: &Extent) -> Result<Extent, Fault> {
+    let extent = extent(section, domain.lower.len())?;
+    for (name, corner) in [("lower", &extent.lower), ("upper", &extent.upper)] {
+        let bounds = domain.lower.iter().zip(&domain.upper);
+        for ((&value, (&lower, &upper)), axis) in corner.iter().zip(bounds).zip(AXES) {
+            if value < lower || value > upper {
+                let key = format!("{}.{name}", section.path());
+                let entry = section.required(name)?;
+                return Err(entry.fault(Problem::OutsideDomain {
+                    key,
+                    axis,
+                    value,
+                    lower,
+                    upper,
+                }));
+            }
+        }
+    }
+    Ok(extent)
+}
+
+/// The domain and its sides.
+pub(super) fn domain(section: &Section<'_>, dimension: usize) -> Result<Domain, Fault> {
+    let extent = extent(section, dimension)?;
+    let directions = section.required("sides")?.directions(dimension)?;
+    let sides = directions.iter().map(sides).collect::<Result<_, _>>()?;
+    Ok(Domain { extent, sides })
+}
+
+/// Both sides of a direction: one name for both, or a pair of names.
+fn sides(entry: &Entry<'_>) -> Result<[Side; 2], Fault> {
+    if entry.text().is_ok() {
+        let side = entry.choice(SIDES)?;
+        return Ok([side, side]);
+    }
+    let pair = entry.list("a name, or a pair of names in brackets")?;
+    let [lower, upper] = pair.as_slice() else {
+        return Err(entry.wrong_type("a name or a pair of names"));
+    };
+    let pair = [lower.choice(SIDES)?, upper.choice(SIDES)?];
+    if pair[0] != pair[1] && pair.contains(&Side::Periodic) {
+        return Err(entry.fault(Problem::HalfPeriodic {
+            key: entry.key().to_owned(),
+            value: entry.shown(),
+        }));
+    }
+    Ok(pair)
+}
+
+/// That `extent`, of the region `section`, shares no volume with the earlier `regions`.
+pub(super) fn clear_of_overlap(
+    section: &Section<'_>,
+    extent: &Extent,
+    regions: &[Region],
+) -> Result<(), Fault> {
+    for (first, other) in regions.iter().enumerate() {
+        let Some((axis, lower, upper)) = shared(extent, &other.extent) else {
+            continue;
+        };
+        let second = regions.len();
+        let problem = Problem::Overlap {
+            first,
+            second,
+            axis,
+            lower,
+            upper,
+        };
+        return Err(section.required("lower")?.fault(problem));
+    }
+    Ok(())
+}
+
+/// The direction in which two overlapping boxes share least, and what they share there.
+fn shared(a: &Extent, b: &Extent) -> Option<(char, f64, f64)> {
+    let lower = a.lower.iter().zip(&b.lower).map(|(a, b)| a.max(*b));
+    let upper = a.upper.iter().zip(&b.upper).map(|(a, b)| a.min(*b));
+    let shared: Vec<_> = AXES.into_iter().zip(lower).zip(upper).collect();
+    let overlaps = shared.iter().all(|((_, lower), upper)| lower < upper);
+    let thinnest = shared
+        .into_iter()
+        .map(|((axis, lower), upper)| (axis, lower, upper))
+        .min_by(|(_, l, u), (_, m, v)| (u - l).total_cmp(&(v - m)));
+    thinnest.filter(|_| overlaps)
+}
+
+/// Why the regions are no Riemann problem, if they are none: it takes one
+/// dimension and two regions that touch.
+pub(super) fn not_riemann(regions: &[Region]) -> Option<String> {
+    let [a, b] = regions else {
+        let count = regions.len();
+        return Some(format!("the number of regions is {count}"));
+    };
+    let ([a_lower], [b_lower]) = (a.extent.lower.as_slice(), b.extent.lower.as_slice()) else {
+        return Some(format!("dimension = {}", a.extent.lower.len()));
+    };
+    let touch = a.extent.upper.contains(b_lower) || b.extent.upper.contains(a_lower);
+    (!touch).then(|| "the two regions do not touch".to_owned())
+}

@@ -1,0 +1,90 @@
+//! Where a scenario's text comes from.
+
+use std::fmt;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use super::builtin::{BUILT_IN, built_in};
+use super::error::{Place, ScenarioError};
+use super::problem::Problem;
+
+/// What a scenario is read from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Source {
+    /// A scenario that comes with the program, by its name.
+    BuiltIn(String),
+    /// A TOML file.
+    File(PathBuf),
+}
+
+impl From<&str> for Source {
+    /// A command-line argument: a file if it ends in `.toml` or contains a path
+    /// separator, else a built-in name. So no file lying about can shadow a name.
+    fn from(argument: &str) -> Self {
+        let is_file = argument.ends_with(".toml") || argument.contains(std::path::is_separator);
+        if is_file {
+            Self::File(PathBuf::from(argument))
+        } else {
+            Self::BuiltIn(argument.to_owned())
+        }
+    }
+}
+
+impl fmt::Display for Source {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::BuiltIn(name) => write!(formatter, "{name} (built in)"),
+            Self::File(path) => write!(formatter, "{}", path.display()),
+        }
+    }
+}
+
+impl Source {
+    /// The TOML text as it stands there.
+    ///
+    /// # Errors
+    /// An unknown built-in name; a file that is missing, is a directory, cannot
+    /// be read or is not UTF-8.
+    pub fn text(&self) -> Result<String, ScenarioError> {
+        match self {
+            Self::BuiltIn(name) => built_in(name)
+                .map(|scenario| scenario.text.to_owned())
+                .ok_or_else(|| unknown_built_in(name)),
+            Self::File(path) => file_text(path),
+        }
+    }
+}
+
+fn unknown_built_in(name: &str) -> ScenarioError {
+    ScenarioError::without_place(Problem::UnknownBuiltIn {
+        name: name.to_owned(),
+        known: BUILT_IN.iter().map(|scenario| scenario.name).collect(),
+    })
+}
+
+fn file_text(path: &Path) -> Result<String, ScenarioError> {
+    let file = path.to_path_buf();
+    if path.is_dir() {
+        return Err(ScenarioError::without_place(Problem::Directory { file }));
+    }
+    let bytes = std::fs::read(path).map_err(|error| {
+        ScenarioError::without_place(match error.kind() {
+            ErrorKind::NotFound => Problem::NoSuchFile { file },
+            _ => Problem::Unreadable { file, error },
+        })
+    })?;
+    String::from_utf8(bytes).map_err(|error| {
+        let offset = error.utf8_error().valid_up_to();
+        let bytes = error.as_bytes();
+        let byte = bytes.get(offset).copied().unwrap_or_default();
+        ScenarioError::new(
+            Problem::NotUtf8 { byte },
+            Place {
+                // Lossy text has the same bytes up to the fault, so the span holds in it.
+                text: String::from_utf8_lossy(bytes).into_owned(),
+                name: path.display().to_string(),
+                span: offset..offset + char::REPLACEMENT_CHARACTER.len_utf8(),
+            },
+        )
+    })
+}

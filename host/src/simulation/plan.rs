@@ -1,0 +1,210 @@
+//! From a scenario to what the solver needs, in solver units.
+
+use motes_core::domain::Side;
+use motes_core::equation::gas::{Stretch, Tube, Width};
+
+use crate::scenario::{self, Material, Region, Scenario, Viscosity};
+use crate::units::SolverUnits;
+
+/// A one-dimensional gas run in solver units, every number still an `f64`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// What the solver units are.
+    pub units: SolverUnits,
+    /// The middle of the domain, in the scenario's units: 0 for the solver.
+    pub middle: f64,
+    /// Half the length of the domain.
+    pub half_length: f64,
+    /// Its sides.
+    pub sides: [Side; 2],
+    /// The gas at the start.
+    pub stretches: Vec<Stretch<f64>>,
+    /// Ratio of specific heats.
+    pub gamma: f64,
+    /// Width of the cut-off.
+    pub width: Width<f64>,
+    /// Pseudo-viscosity.
+    pub viscosity: Viscosity,
+    /// Duration.
+    pub end: f64,
+    /// Factor of the time step.
+    pub courant: f64,
+}
+
+/// A scenario that cannot be planned.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+pub enum PlanError {
+    /// Only one dimension so far.
+    #[error("`{name}` has dimension {dimension}: `motes run` solves one-dimensional gases so far")]
+    #[diagnostic(help(
+        "set dimension = 1; `motes bench` exercises the engine in 2 and 3 dimensions"
+    ))]
+    Dimension {
+        /// The scenario.
+        name: String,
+        /// Its dimension.
+        dimension: usize,
+    },
+    /// A region that would get no particle.
+    #[error("region {region} would get no particle: it holds {share:.3} of one")]
+    #[diagnostic(help("use more particles (-n, resolution.particles), or remove the region"))]
+    EmptyRegion {
+        /// Its number, from 0.
+        region: usize,
+        /// Its share of the particles.
+        share: f64,
+    },
+    /// More particles than ids.
+    #[error("{particles} particles are more than this build can number ({limit})")]
+    #[diagnostic(help("use fewer particles (-n, resolution.particles)"))]
+    TooMany {
+        /// How many were asked for.
+        particles: usize,
+        /// How many there can be.
+        limit: usize,
+    },
+}
+
+/// Ids, cells and words of neighbour lists are 32 bits wide; cells are up to four a particle.
+const LARGEST: usize = 1 << 29;
+
+impl Plan {
+    /// Plans a run.
+    ///
+    /// # Errors
+    /// Scenarios that are not one-dimensional, regions too small for one particle.
+    pub fn new(scenario: &Scenario) -> Result<Self, PlanError> {
+        if scenario.dimension != 1 {
+            let (name, dimension) = (scenario.name.clone(), scenario.dimension);
+            return Err(PlanError::Dimension { name, dimension });
+        }
+        let particles = scenario.resolution.particles;
+        if particles > LARGEST {
+            return Err(PlanError::TooMany {
+                particles,
+                limit: LARGEST,
+            });
+        }
+        let Material::IdealGas { gamma } = scenario.material;
+        let extent = &scenario.domain.extent;
+        let (lower, upper) = (extent.lower[0], extent.upper[0]);
+        let masses: Vec<f64> = scenario
+            .regions
+            .iter()
+            .map(|region| region.density * (region.extent.upper[0] - region.extent.lower[0]))
+            .collect();
+        let mass = masses.iter().sum::<f64>() / particles as f64;
+        let sound = |region: &Region| (gamma * region.pressure / region.density).sqrt();
+        let units = SolverUnits {
+            length: (upper - lower) / particles as f64,
+            mass,
+            velocity: scenario.regions.iter().map(sound).fold(0.0, f64::max),
+            dimension: 1,
+        };
+        let middle = 0.5 * (lower + upper);
+        let counts = apportion(&masses, particles)?;
+        let stretches = scenario.regions.iter().zip(counts).zip(&masses).map(
+            |((region, count), &region_mass)| Stretch {
+                lower: (region.extent.lower[0] - middle) / units.length,
+                upper: (region.extent.upper[0] - middle) / units.length,
+                particles: count,
+                mass: region_mass / f64::from(count) / units.mass,
+                velocity: region.velocity[0] / units.velocity,
+                energy: region.pressure / region.density / (gamma - 1.0) / units.energy(),
+            },
+        );
+        Ok(Self {
+            units,
+            middle,
+            half_length: 0.5 * (upper - lower) / units.length,
+            sides: scenario.domain.sides[0].map(|side| match side {
+                scenario::Side::Free => Side::Free,
+                scenario::Side::Periodic => Side::Periodic,
+                scenario::Side::Mirror => Side::Mirror,
+            }),
+            stretches: stretches.collect(),
+            gamma,
+            width: match scenario.cut_off.width {
+                scenario::Width::Adaptive { eta } => Width::Adaptive { eta },
+                scenario::Width::Constant { epsilon } => Width::Constant {
+                    epsilon: epsilon / units.length,
+                },
+            },
+            viscosity: scenario.viscosity,
+            end: scenario.time.end / units.time(),
+            courant: scenario.time.courant,
+        })
+    }
+
+    /// The tube that the core runs.
+    pub fn tube(&self) -> Tube<'_> {
+        Tube {
+            half_length: self.half_length,
+            sides: self.sides,
+            stretches: &self.stretches,
+            gamma: self.gamma,
+            width: self.width,
+            courant: self.courant,
+            end: self.end,
+        }
+    }
+
+    /// Number of particles.
+    pub fn particles(&self) -> usize {
+        self.stretches
+            .iter()
+            .map(|stretch| stretch.particles as usize)
+            .sum()
+    }
+}
+
+/// Shares `particles` out in proportion to the masses, the largest remainders first, so that
+/// their sum is exact.
+fn apportion(masses: &[f64], particles: usize) -> Result<Vec<u32>, PlanError> {
+    let total: f64 = masses.iter().sum();
+    let shares: Vec<f64> = masses
+        .iter()
+        .map(|mass| mass / total * particles as f64)
+        .collect();
+    // A share a rounding below a whole number is that number.
+    let mut counts: Vec<u32> = shares
+        .iter()
+        .map(|share| (share + 1e-9).floor() as u32)
+        .collect();
+    let mut order: Vec<usize> = (0..masses.len()).collect();
+    let remainder = |i: usize| shares[i] - f64::from(counts[i]);
+    order.sort_by(|&a, &b| remainder(b).total_cmp(&remainder(a)));
+    let missing = particles.saturating_sub(counts.iter().map(|&count| count as usize).sum());
+    for &region in order.iter().cycle().take(missing) {
+        counts[region] += 1;
+    }
+    match counts.iter().position(|&count| count == 0) {
+        Some(region) => Err(PlanError::EmptyRegion {
+            region,
+            share: shares[region],
+        }),
+        None => Ok(counts),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn particles_are_shared_out_by_mass_and_none_is_lost() {
+        assert_eq!(apportion(&[1.0, 0.125], 900).unwrap(), [800, 100]);
+        assert_eq!(apportion(&[1.0, 0.125], 225).unwrap(), [200, 25]);
+        assert_eq!(
+            apportion(&[1.0, 1.0, 1.0], 100)
+                .unwrap()
+                .iter()
+                .sum::<u32>(),
+            100
+        );
+        assert!(matches!(
+            apportion(&[1.0, 1e-6], 100),
+            Err(PlanError::EmptyRegion { region: 1, .. })
+        ));
+    }
+}

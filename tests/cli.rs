@@ -1,0 +1,285 @@
+//! The command line as a user and a script meet it.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn motes(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_motes"));
+    command
+        .current_dir(folder)
+        .args(arguments)
+        .output()
+        .unwrap()
+}
+
+/// Standard output of a call that must succeed.
+fn stdout(folder: &Path, arguments: &[&str]) -> String {
+    let output = motes(folder, arguments);
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{arguments:?}: {errors}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// Standard error of a call that must fail with that code. Nothing is left behind.
+fn failure(folder: &Path, arguments: &[&str], code: i32) -> String {
+    let output = motes(folder, arguments);
+    let errors = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {errors}");
+    assert_eq!(output.stdout, b"", "{arguments:?}");
+    assert!(!errors.contains("panicked"), "{errors}");
+    errors
+}
+
+#[test]
+fn json_is_one_object_with_the_documented_keys_and_nothing_else() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = stdout(folder.path(), &["run", "sod", "-n", "225", "--json"]);
+    assert_eq!(text.lines().count(), 1);
+    let json: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(json["scenario"], "sod");
+    assert_eq!(json["scalar"], "f64");
+    assert_eq!(json["dimension"], 1);
+    assert_eq!(json["particles"], 225);
+    assert!(json["steps"].as_u64().unwrap() > 100);
+    assert!((json["time"].as_f64().unwrap() - 0.2).abs() < 1e-12);
+    assert!(json["seconds"].as_f64().unwrap() > 0.0);
+    for field in ["density", "velocity", "pressure", "energy"] {
+        let norms = &json["errors"][field];
+        let [l1, l2, linf] = ["l1", "l2", "linf"].map(|norm| norms[norm].as_f64().unwrap());
+        assert!(0.0 < l1 && l1 < l2 && l2 < linf, "{field}: {norms}");
+    }
+    for sum in ["mass", "momentum", "energy"] {
+        assert!(json["drift"][sum].is_f64(), "{sum}");
+    }
+    for part in ["min", "mean", "max"] {
+        assert!(json["neighbours"][part].as_f64().unwrap() >= 2.0);
+    }
+    let digest = json["digest"].as_str().unwrap();
+    assert!(
+        digest.len() == 16 && digest.chars().all(|c| c.is_ascii_hexdigit()),
+        "{digest}"
+    );
+}
+
+#[test]
+fn a_run_leaves_whole_tables_a_picture_and_what_was_run() {
+    let folder = tempfile::tempdir().unwrap();
+    stdout(
+        folder.path(),
+        &[
+            "run",
+            "sod",
+            "-n",
+            "225",
+            "--quiet",
+            "--set",
+            "output.samples=20",
+        ],
+    );
+    let out = folder.path().join("out/sod");
+    let mut particles = csv::Reader::from_path(out.join("particles.csv")).unwrap();
+    let heading = particles.headers().unwrap().clone();
+    assert!(
+        ["position", "density", "exact_density", "exact_energy"]
+            .iter()
+            .all(|name| heading.iter().any(|column| column == *name))
+    );
+    let rows: Vec<_> = particles.records().map(Result::unwrap).collect();
+    assert_eq!(rows.len(), 225);
+    assert!(
+        rows.iter()
+            .flatten()
+            .all(|field| field.parse::<f64>().unwrap().is_finite())
+    );
+    let mut series = csv::Reader::from_path(out.join("series.csv")).unwrap();
+    let times: Vec<f64> = series
+        .records()
+        .map(|row| row.unwrap()[0].parse().unwrap())
+        .collect();
+    assert_eq!(times.len(), 21);
+    assert!(times.is_sorted() && times[0] == 0.0 && (times[20] - 0.2).abs() < 1e-12);
+    let picture = std::fs::read_to_string(out.join("figure.svg")).unwrap();
+    assert!(picture.starts_with("<svg") && picture.trim_end().ends_with("</svg>"));
+    // What was run can be run again.
+    let again = stdout(folder.path(), &["run", "out/sod/scenario.toml", "--json"]);
+    let json: Value = serde_json::from_str(&again).unwrap();
+    assert_eq!(json["particles"], 225);
+    // Nothing is left lying beside the results.
+    assert_eq!(std::fs::read_dir(&out).unwrap().count(), 4);
+}
+
+#[test]
+fn scenarios_can_be_listed_shown_and_run_from_a_copy() {
+    let folder = tempfile::tempdir().unwrap();
+    assert!(stdout(folder.path(), &["list"]).contains("sod"));
+    let text = stdout(folder.path(), &["show", "sod"]);
+    std::fs::write(folder.path().join("mine.toml"), &text).unwrap();
+    let digest = |arguments: &[&str]| {
+        let json: Value = serde_json::from_str(&stdout(folder.path(), arguments)).unwrap();
+        json["digest"].clone()
+    };
+    let built_in = digest(&["run", "sod", "--json", "-n", "225"]);
+    assert_eq!(
+        built_in,
+        digest(&["run", "mine.toml", "--json", "-n", "225", "--threads", "2"])
+    );
+    assert_eq!(
+        built_in,
+        digest(&["run", "sod", "--json", "--set", "resolution.particles=225"])
+    );
+    assert_ne!(
+        built_in,
+        digest(&["run", "sod", "--json", "-n", "225", "--scalar", "f32"])
+    );
+}
+
+#[test]
+fn checking_for_overflow_changes_no_bit_and_names_the_first_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |more: &[&str]| {
+        let arguments = [
+            &["run", "sod", "-n", "225", "--json", "--scalar", "q12.19"],
+            more,
+        ];
+        let json: Value =
+            serde_json::from_str(&stdout(folder.path(), &arguments.concat())).unwrap();
+        json["digest"].clone()
+    };
+    assert_eq!(run(&[]), run(&["--check-overflow"]));
+    // A gas so hot that sound speeds fit and pressures of its compression do not.
+    let hot = [
+        "run",
+        "sod",
+        "-n",
+        "225",
+        "--scalar",
+        "q9.22",
+        "--check-overflow",
+        "--set",
+        "region.0.pressure=0.1",
+        "--set",
+        "region.0.velocity=[20.0]",
+    ];
+    let errors = failure(folder.path(), &hot, 1);
+    assert!(
+        errors.contains("has left the range") && errors.contains("particle"),
+        "{errors}"
+    );
+}
+
+/// Call, and what its message must say: the value and the cure.
+const BAD_INPUT: &[(&[&str], &[&str])] = &[
+    (
+        &["run", "sod", "--scalar", "q3.4"],
+        &["q3.4", "q12.19", "f32"],
+    ),
+    (&["run", "sod", "-n", "0"], &["0", "whole number above 0"]),
+    (&["run", "sod", "-n", "1e12"], &["1000000000000"]),
+    (
+        &["run", "sod", "-n", "4e9"],
+        &["4000000000", "fewer particles"],
+    ),
+    (
+        &["run", "sod", "-n", "400000000"],
+        &["GiB", "fewer particles"],
+    ),
+    (
+        &["run", "sod", "-n", "4"],
+        &["region 1", "no particle", "more particles"],
+    ),
+    (&["run", "sod", "-n", "nine"], &["nine", "whole number"]),
+    (
+        &["run", "sod", "--set", "material.gamma=nan"],
+        &["gamma", "nan", ":50:", "finite"],
+    ),
+    (
+        &["run", "sod", "--set", "material.gamma=1"],
+        &["gamma", "> 1", ":50:"],
+    ),
+    (
+        &["run", "sod", "--set", "viscosity.knid=none"],
+        &["knid", "kind"],
+    ),
+    (
+        &["run", "sod", "--set", "region.0.density=-1"],
+        &["density", "-1", "> 0"],
+    ),
+    (
+        &["run", "sod", "--threads", "100000"],
+        &["100000", "--threads 0"],
+    ),
+    (&["run", "missing.toml"], &["missing.toml", "no file"]),
+    (&["run", "folder/"], &["directory"]),
+    (&["run", "sot"], &["sot", "sod"]),
+    (&["run", "typo.toml"], &["typo.toml:5:", "uper", "upper"]),
+    (
+        &["run", "sod", "--out", "file/below"],
+        &["cannot write", "--out"],
+    ),
+    (
+        &["run", "sod", "-n", "3000000", "--scalar", "q12.19"],
+        &["q12.19", "integer bits"],
+    ),
+    (&["bench", "4d"], &["4d", "3d"]),
+    (&["bench", "1d", "--scalar", "q12.19"], &["q12.19", "f32"]),
+    (&["show", "sot"], &["sot", "sod"]),
+    (&["run", "sod", "--no-such-flag"], &["--no-such-flag"]),
+];
+
+#[test]
+fn bad_input_is_answered_with_the_value_and_the_cure() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("folder")).unwrap();
+    std::fs::write(folder.path().join("file"), "").unwrap();
+    let typo = "name = \"x\"\ndimension = 1\n[domain]\nlower = [-1.0]\nuper = [1.0]\n";
+    std::fs::write(folder.path().join("typo.toml"), typo).unwrap();
+    for (arguments, parts) in BAD_INPUT {
+        let errors = failure(folder.path(), arguments, 2);
+        // Messages are wrapped to the terminal: compare without line ends.
+        let flat: String = errors.split_whitespace().collect::<Vec<_>>().join(" ");
+        for part in *parts {
+            assert!(
+                flat.contains(part),
+                "{arguments:?} does not say {part:?}: {errors}"
+            );
+        }
+    }
+}
+
+/// Ctrl-C in mid-run: finished files of an earlier run stay whole, nothing new is left.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_earlier_results_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    stdout(folder.path(), &["run", "sod", "-n", "225", "--quiet"]);
+    let file = folder.path().join("out/sod/particles.csv");
+    let before = std::fs::read(&file).unwrap();
+    let mut run = Command::new(env!("CARGO_BIN_EXE_motes"))
+        .current_dir(folder.path())
+        .args(["run", "sod", "-n", "20000", "--set", "time.end=10"])
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    // The result folder is tried before the run: when it is there the handler soon is too.
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    let interrupt = Command::new("kill")
+        .args(["-INT", &run.id().to_string()])
+        .status()
+        .unwrap();
+    assert!(interrupt.success());
+    assert_eq!(run.wait().unwrap().code(), Some(130));
+    assert_eq!(std::fs::read(&file).unwrap(), before);
+    assert_eq!(
+        std::fs::read_dir(file.parent().unwrap()).unwrap().count(),
+        4
+    );
+}
+
+#[test]
+fn help_has_examples_and_the_version_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    assert!(stdout(folder.path(), &["run", "--help"]).contains("Examples:"));
+    assert!(stdout(folder.path(), &["--version"]).starts_with("motes 0."));
+}

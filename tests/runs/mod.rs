@@ -1,0 +1,61 @@
+//! Runs of scenarios for tests, through the library.
+#![allow(dead_code, reason = "every test uses its part of this module")]
+
+use std::collections::BTreeMap;
+
+use motes::comparison::{ExactSolution, Norms, norms};
+use motes::engine::Threads;
+use motes::scenario::{Scenario, Source};
+use motes::simulation::{self, Control, Outcome, Plan, RunError};
+
+/// What a test wants of a run.
+#[derive(Debug)]
+pub struct Run {
+    pub outcome: Outcome,
+    pub errors: BTreeMap<&'static str, Norms>,
+}
+
+impl Run {
+    /// The L1 error of a field.
+    pub fn l1(&self, field: &str) -> f64 {
+        self.errors[field].l1
+    }
+}
+
+/// The scenario with these changes.
+pub fn scenario(name: &str, changes: &[&str]) -> Scenario {
+    let changes: Vec<String> = changes.iter().map(|change| (*change).to_owned()).collect();
+    Scenario::read(Source::BuiltIn(name.to_owned()), &changes).unwrap()
+}
+
+/// Runs a built-in scenario with these changes, one scalar and a number of threads.
+pub fn run(name: &str, scalar: &str, threads: usize, changes: &[&str]) -> Run {
+    try_run(name, scalar, threads, changes).unwrap()
+}
+
+/// The same where the run may stop.
+pub fn try_run(
+    name: &str,
+    scalar: &str,
+    threads: usize,
+    changes: &[&str],
+) -> Result<Run, RunError> {
+    let scenario = scenario(name, changes);
+    let plan = Plan::new(&scenario).unwrap();
+    let mut engine = Threads::new(threads).unwrap();
+    let mut control = Control {
+        samples: 10,
+        progress: &mut |_| true,
+    };
+    let scalar = scalar.parse().unwrap();
+    let shape = scenario.cut_off.shape;
+    let outcome = simulation::run(&plan, shape, scalar, false, &mut engine, &mut control)?;
+    let exact = ExactSolution::of(&scenario).unwrap().unwrap();
+    let errors = norms(
+        &exact,
+        &outcome.particles,
+        outcome.time,
+        &scenario.output.window,
+    );
+    Ok(Run { outcome, errors })
+}

@@ -1,0 +1,12 @@
+//! Puts the memory map where the linker looks for it.
+
+use std::path::Path;
+use std::{env, fs};
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let out = env::var("OUT_DIR")?;
+    fs::copy("memory.x", Path::new(&out).join("memory.x"))?;
+    println!("cargo:rustc-link-search={out}");
+    println!("cargo:rerun-if-changed=memory.x");
+    Ok(())
+}

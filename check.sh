@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# Everything that must hold before a change lands. People and CI run this one script.
+#
+#   ./check.sh            all of the below
+#   ./check.sh format     rustfmt
+#   ./check.sh lint       clippy and docs, warnings are errors
+#   ./check.sh test       the tests of the workspace
+#   ./check.sh devices    core on every device target; the firmware under QEMU, its digests
+#                         against tests/golden.csv
+#   ./check.sh speed      lanes against the plain loop: the compiler still makes vectors of them
+set -euo pipefail
+cd "$(dirname "$0")"
+
+targets="thumbv7em-none-eabihf thumbv6m-none-eabi riscv32imac-unknown-none-elf
+  wasm32-unknown-unknown aarch64-unknown-none"
+
+say() { printf '\n== %s\n' "$*"; }
+fail() { printf 'check.sh: %s\n' "$*" >&2; exit 1; }
+
+format() {
+  say "format"
+  cargo fmt --all --check
+  (cd embedded && cargo fmt --check)
+}
+
+lint() {
+  say "clippy and docs"
+  cargo clippy --workspace --all-targets -- -D warnings
+  RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --quiet
+}
+
+tests() {
+  say "tests"
+  cargo test --release --workspace
+}
+
+# Says what to install; never skips.
+need_device_tools() {
+  local installed missing=""
+  installed=$(rustc --print sysroot)/lib/rustlib
+  for target in $targets; do
+    [ -d "$installed/$target" ] || missing="$missing $target"
+  done
+  [ -z "$missing" ] || fail "targets are missing: run rustup target add$missing"
+  command -v qemu-system-arm >/dev/null ||
+    fail "qemu-system-arm is missing: on Debian run apt-get install qemu-system-arm"
+}
+
+devices() {
+  need_device_tools
+  say "core on device targets"
+  for target in $targets; do
+    cargo check --release -p motes-core --target "$target"
+  done
+  say "firmware: links only if no panic can be reached"
+  (cd embedded && cargo clippy --release -- -D warnings && cargo build --release)
+  say "firmware under QEMU"
+  local elf=embedded/target/thumbv7em-none-eabihf/release/motes-firmware output
+  output=$(timeout 300 qemu-system-arm -M mps2-an386 -nographic \
+    -semihosting-config enable=on,target=native -kernel "$elf")
+  printf '%s\n' "$output"
+  local lines=0
+  while read -r line; do
+    grep -qxF "${line%% *}" tests/golden.csv ||
+      fail "the device's digest is not the one in tests/golden.csv: $line"
+    lines=$((lines + 1))
+  done <<<"$output"
+  [ "$lines" -eq 4 ] || fail "expected 4 lines from the firmware, got $lines"
+  echo "the device has the digests of the host"
+}
+
+speed() {
+  say "speed of lanes over the plain loop"
+  cargo bench --bench pairs -- --ratio
+}
+
+case "${1:-all}" in
+  format) format ;;
+  lint) lint ;;
+  test) tests ;;
+  devices) devices ;;
+  speed) speed ;;
+  all) format; lint; tests; devices; speed; say "all good" ;;
+  *) fail "unknown part '$1': format, lint, test, devices, speed, or none for all" ;;
+esac

@@ -9,7 +9,7 @@ use crate::pairs::Law;
 use crate::record;
 use crate::scalar::{Number, Scalar};
 
-use super::viscosity::{Pair, Viscosity, speed_along_line};
+use super::viscosity::{Pair, Viscosity};
 
 record! {
     /// What a particle of gas shows.
@@ -72,9 +72,9 @@ impl<S: Scalar, C: CutOff, V: Viscosity<S>, const D: usize> Law<S, D> for Motion
         to_k: &mut GasSums<N, D>,
         to_l: &mut GasSums<N, D>,
     ) {
-        let distance = self.cut_off.argument(distance_squared);
-        let g_k = k.gradient * self.cut_off.gradient::<D, N>(distance * k.scale);
-        let g_l = l.gradient * self.cut_off.gradient::<D, N>(distance * l.scale);
+        let a = self.cut_off.argument(distance_squared);
+        let g_k = k.gradient * self.cut_off.gradient::<D, N>(a * k.scale);
+        let g_l = l.gradient * self.cut_off.gradient::<D, N>(a * l.scale);
         let g = N::literal(0.5) * (g_k + g_l);
 
         let mut u = [N::zero(); D];
@@ -82,9 +82,12 @@ impl<S: Scalar, C: CutOff, V: Viscosity<S>, const D: usize> Law<S, D> for Motion
             u[i] = k.velocity[i] - l.velocity[i];
         }
         let approach = N::dot(&u, r);
+        // The floor is below any distance that matters; at r = 0 the approach is 0 too.
+        let speed = approach / distance_squared.sqrt().max(N::literal(1.0 / 65536.0));
         let pi = self.viscosity.pair(&Pair {
             approach,
             distance_squared,
+            speed,
             sound_speeds: k.sound_speed + l.sound_speed,
             densities: k.density + l.density,
             epsilons: k.epsilon + l.epsilon,
@@ -105,9 +108,9 @@ impl<S: Scalar, C: CutOff, V: Viscosity<S>, const D: usize> Law<S, D> for Motion
         to_l.heating += heating;
 
         // A pair out of reach has no say in the time step; its gradient is exactly 0.
-        let speed = -speed_along_line(approach, distance_squared) * g.below(N::zero());
-        to_k.approach = to_k.approach.max(speed);
-        to_l.approach = to_l.approach.max(speed);
+        let closing = -speed * g.below(N::zero());
+        to_k.approach = to_k.approach.max(closing);
+        to_l.approach = to_l.approach.max(closing);
     }
 
     fn reflected(&self, node: &GasNode<S, D>, axis: usize) -> GasNode<S, D> {

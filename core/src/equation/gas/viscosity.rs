@@ -11,6 +11,8 @@ pub struct Pair<N> {
     pub approach: N,
     /// `|r|²`.
     pub distance_squared: N,
+    /// `(u_k - u_l)·r/|r|`; 0 at `r = 0`.
+    pub speed: N,
     /// `c_k + c_l`.
     pub sound_speeds: N,
     /// `ρ_k + ρ_l`.
@@ -118,21 +120,13 @@ pub struct Pairwise<S>(pub Coefficients<S>);
 impl<S: Scalar> Viscosity<S> for Pairwise<S> {
     #[inline(always)]
     fn pair<N: Number<Scalar = S>>(&self, pair: &Pair<N>) -> N {
-        let s = speed_along_line(pair.approach, pair.distance_squared).min(N::zero());
+        let s = pair.speed.min(N::zero());
         let bracket = N::splat(self.0.alpha) * pair.sound_speeds - N::splat(self.0.beta) * s;
         -(bracket * s / pair.densities)
     }
     fn signal(&self, sound_speed: S, approach: S) -> S {
         self.0.signal(sound_speed, approach)
     }
-}
-
-/// `(u_k - u_l)·r/|r|`; 0 at `r = 0`.
-#[inline(always)]
-pub fn speed_along_line<N: Number>(approach: N, distance_squared: N) -> N {
-    // The floor is below any distance that matters, and above 0 in every format.
-    let floor = N::literal(1.0 / 65536.0);
-    approach / distance_squared.max(floor * floor).sqrt().max(floor)
 }
 
 /// None.

@@ -272,7 +272,7 @@ fn records_survive_the_way_through_lanes() {
         velocity: [x + 0.7, x + 0.8],
     };
     let nodes = [node(1.0), node(2.0), node(3.0)];
-    let gathered = GasNode::<f64, 2>::gather::<Lanes<f64, 4>>(&nodes);
+    let gathered = GasNode::<f64, 2>::gather::<Lanes<f64, 4>>(nodes.iter());
     for (i, expected) in nodes.iter().enumerate() {
         assert_eq!(&GasNode::<f64, 2>::lane(&gathered, i), expected);
     }

@@ -75,7 +75,7 @@ fn density_error<S: Scalar>(gas: &Gas<'_, S, 1>) -> f64 {
     let particles = gas.position.iter().zip(gas.density.iter()).zip(gas.mass);
     for ((&[x], density), mass) in particles {
         let (x, density) = (x.to_f64(), density.to_f64());
-        if x >= WINDOW[0] && x <= WINDOW[1] {
+        if (WINDOW[0]..=WINDOW[1]).contains(&x) {
             let volume = mass.to_f64() / density;
             let error = density - exact_density(x);
             sum += volume * if error < 0.0 { -error } else { error };

@@ -1,4 +1,4 @@
-//! Cut-off functions `ζ` of order r = 2: even, compactly supported, of unit integral (2.5).
+//! Cut-off functions `ζ` of order r = 2: even (1.22), compactly supported, of unit integral (2.5).
 //!
 //! Each is `ζ(x) = σ_D z(q)`, `q = |x|`, and is scaled as `ζ_ε(x) = ε^-D ζ(x/ε)` (1.12).
 //! The pair loops use the shape `z` and its derivatives; `σ_D` and the powers of `1/ε` are

@@ -117,25 +117,31 @@ fn approximate_roots_move_the_integral_by_no_more_than_their_error() {
 }
 
 /// Even functions have no odd moments; the second one is not zero: order r = 2 exactly.
-#[test]
-fn the_order_is_two_and_no_more() {
+fn order_is_two<S: Scalar>() {
     for cut_off in ALL {
-        for (d, second) in [
-            moment::<f64, 1>(cut_off, 2),
-            moment::<f64, 2>(cut_off, 2) / 2.0,
-            moment::<f64, 3>(cut_off, 2) / 3.0,
-        ]
-        .into_iter()
-        .enumerate()
-        {
+        let seconds = [
+            moment::<S, 1>(cut_off, 2),
+            moment::<S, 2>(cut_off, 2) / 2.0,
+            moment::<S, 3>(cut_off, 2) / 3.0,
+        ];
+        for (d, second) in seconds.into_iter().enumerate() {
+            let name = cut_off.name();
             assert!(
-                second > 0.05 && second < 0.6,
-                "{} in {}D: {second}",
-                cut_off.name(),
+                (0.05..0.6).contains(&second),
+                "{name} in {}D: {second}",
                 d + 1
             );
         }
     }
+}
+
+#[test]
+fn the_order_is_two_and_no_more() {
+    order_is_two::<f64>();
+    order_is_two::<f32>();
+    order_is_two::<Q32<U19>>();
+    order_is_two::<Q64<U31>>();
+    order_is_two::<Micro>();
 }
 
 /// ζ depends on |x|² alone, so ζ(-x) = ζ(x) to the bit, whatever the displacement.
@@ -157,6 +163,14 @@ fn every_cut_off_is_even_to_the_bit() {
             assert_eq!(
                 bits::<Q32<U19>>(cut_off, x, 1.0),
                 bits::<Q32<U19>>(cut_off, x, -1.0)
+            );
+            assert_eq!(
+                bits::<Q64<U31>>(cut_off, x, 1.0),
+                bits::<Q64<U31>>(cut_off, x, -1.0)
+            );
+            assert_eq!(
+                bits::<Micro>(cut_off, x, 1.0),
+                bits::<Micro>(cut_off, x, -1.0)
             );
         }
     }

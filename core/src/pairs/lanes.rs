@@ -12,7 +12,7 @@
 use super::law::{Fields, Law, Settled};
 use super::mirror::mirror_terms;
 use crate::domain::Offset;
-use crate::neighbours::{Cells, Image, Runs};
+use crate::neighbours::{Cells, Image, Run, Runs};
 use crate::scalar::{Lanes, Number, Scalar};
 
 /// Receivers `start..end` of the sorted order, all in one row of cells.
@@ -143,7 +143,8 @@ pub fn lanes<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>
     let mut word = 0;
     let end = first + settled.len();
     for block in Blocks::<S, D, L>::new(cells, first, end) {
-        if fresh && !find_candidates::<K, S, D, L>(cells, &block, list) {
+        let receivers = Receivers::<S, D, L>::of(cells, &block);
+        if fresh && !find_candidates::<K, S, D, L>(cells, &block, &receivers, list) {
             return false;
         }
         let words = list.words(word);
@@ -154,7 +155,15 @@ pub fn lanes<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>
         word += 1 + count as usize;
         let range = block.start - first..block.end - first;
         if let Some(settled) = settled.get_mut(range) {
-            settle_block::<K, S, D, L, W>(law, cells, nodes, &block, candidates, settled);
+            settle::<K, S, D, L, W>(
+                law,
+                cells,
+                nodes,
+                block.start,
+                &receivers,
+                candidates,
+                settled,
+            );
         }
     }
     true
@@ -164,19 +173,17 @@ pub fn lanes<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>
 fn find_candidates<K: Kernel, S: Scalar, const D: usize, const L: usize>(
     cells: &Cells<'_, S, D>,
     block: &Block<D>,
+    receivers: &Receivers<S, D, L>,
     list: &mut impl List,
 ) -> bool {
     let last = cells.cell(block.end - 1)[D - 1];
     let runs = cells.runs(&block.cell, last);
-    let most: usize = runs
-        .iter()
-        .map(|run| (run.end - run.start) as usize + 2)
-        .sum();
+    let length = |run: &Run<D>| (run.end - run.start) as usize;
+    let most: usize = runs.iter().map(|run| length(run) + 2).sum();
     let Some(words) = list.room(1 + most) else {
         return false;
     };
-    let receivers = Receivers::<S, D, L>::of(cells, block);
-    let used = K::find(cells, &receivers, &runs, words);
+    let used = K::find(cells, receivers, &runs, words);
     list.commit(used);
     true
 }
@@ -190,17 +197,24 @@ pub struct Receivers<S, const D: usize, const L: usize> {
 impl<S: Scalar, const D: usize, const L: usize> Receivers<S, D, L> {
     fn of(cells: &Cells<'_, S, D>, block: &Block<D>) -> Self {
         let sites = cells.sites().get(block.start..block.end).unwrap_or(&[]);
-        let site = |i: usize| sites.get(i).or(sites.last());
-        let mut position = [Lanes::zero(); D];
-        for (j, component) in position.iter_mut().enumerate() {
-            *component = Lanes::from_lanes(|i| site(i).map_or(S::ZERO, |site| site.position[j]));
+        let mut receivers = Self {
+            position: [Lanes::zero(); D],
+            reach_squared: Lanes::splat(-S::ONE),
+        };
+        for (i, site) in sites.iter().enumerate() {
+            for j in 0..D {
+                receivers.position[j].set_lane(i, site.position[j]);
+            }
+            receivers.reach_squared.set_lane(i, site.reach_squared);
         }
-        let reach_squared =
-            Lanes::from_lanes(|i| site(i).map_or(S::ZERO, |site| site.reach_squared));
-        Self {
-            position,
-            reach_squared,
+        // Lanes without a receiver stand where the first one is: they ask for nothing more.
+        for i in sites.len()..L {
+            for j in 0..D {
+                let first = receivers.position[j].lane(0);
+                receivers.position[j].set_lane(i, first);
+            }
         }
+        receivers
     }
 }
 
@@ -277,51 +291,43 @@ pub fn find<S: Scalar, const D: usize, const L: usize>(
     used
 }
 
-/// Evaluates the law for one block until every lane is done. A lane that is done freezes.
-fn settle_block<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
+/// Evaluates the law for the receivers from `start` on until every lane is done. A lane that
+/// is done freezes.
+fn settle<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
     law: &W,
     cells: &Cells<'_, S, D>,
     nodes: &[W::Node],
-    block: &Block<D>,
+    start: usize,
+    receivers: &Receivers<S, D, L>,
     candidates: &[u32],
     settled: &mut [Settled<W::Node, W::Sums>],
 ) {
-    let receivers = Receivers::<S, D, L>::of(cells, block);
-    let mut own = [W::Node::ZERO; L];
-    let mut done = [false; L];
-    let shown = nodes.get(block.start..block.end).unwrap_or(&[]);
-    for (own, shown) in own.iter_mut().zip(shown) {
-        *own = *shown;
-    }
-    // Lanes without a receiver compute like the last one, and nobody looks.
-    if let Some(last) = shown.last() {
-        own.iter_mut()
-            .skip(shown.len())
-            .for_each(|own| *own = *last);
-    }
     let near_wall = |place| cells.grid().near_wall(&cells.cell(place));
-    let walls = cells.grid().has_walls() && (block.start..block.end).any(near_wall);
+    let walls = cells.grid().has_walls() && (start..start + settled.len()).any(near_wall);
+    let shown = nodes.get(start..).unwrap_or(&[]);
+    for (settled, shown) in settled.iter_mut().zip(shown) {
+        settled.node = *shown;
+    }
+    let mut done = [false; L];
     loop {
-        let k = W::Node::gather::<Lanes<S, L>>(&own);
-        let block_of = Operands {
-            receivers: &receivers,
+        let k = W::Node::gather::<Lanes<S, L>>(settled.iter().map(|settled| &settled.node));
+        let operands = Operands {
+            receivers,
             k: &k,
             candidates,
         };
         let mut sums = W::Sums::ZERO.splat::<Lanes<S, L>>();
-        K::sum::<S, D, L, W>(law, cells, nodes, &block_of, &mut sums);
+        K::sum::<S, D, L, W>(law, cells, nodes, &operands, &mut sums);
         let mut all_done = true;
-        let lanes = own.iter_mut().zip(&mut done).zip(settled.iter_mut());
-        for (i, ((own, done), settled)) in lanes.enumerate() {
+        for (i, (done, settled)) in done.iter_mut().zip(settled.iter_mut()).enumerate() {
             if *done {
                 continue;
             }
-            let mut received = W::Sums::lane::<Lanes<S, L>>(&sums, i);
+            settled.sums = W::Sums::lane::<Lanes<S, L>>(&sums, i);
             if walls {
-                received = with_mirrors(law, cells, nodes, block.start + i, own, received);
+                add_mirrors(law, cells, nodes, start + i, settled);
             }
-            *done = law.close(own, &received);
-            *settled = Settled::new(*own, received);
+            *done = law.close(&mut settled.node, &settled.sums);
             all_done &= *done;
         }
         if all_done {
@@ -330,26 +336,25 @@ fn settle_block<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, 
     }
 }
 
-/// The sums of a receiver with those from behind the walls.
-fn with_mirrors<S: Scalar, const D: usize, W: Law<S, D>>(
+/// Adds what a receiver gets from behind the walls to its sums.
+fn add_mirrors<S: Scalar, const D: usize, W: Law<S, D>>(
     law: &W,
     cells: &Cells<'_, S, D>,
     nodes: &[W::Node],
     place: usize,
-    node: &W::Node,
-    received: W::Sums,
-) -> W::Sums {
-    let mut sums = received.splat::<S>();
+    settled: &mut Settled<W::Node, W::Sums>,
+) {
+    let mut sums = settled.sums.splat::<S>();
     mirror_terms(
         law,
         cells,
         nodes,
         place,
         &cells.cell(place),
-        node,
+        &settled.node,
         &mut sums,
     );
-    W::Sums::lane::<S>(&sums, 0)
+    settled.sums = W::Sums::lane::<S>(&sums, 0);
 }
 
 /// Adds the terms of the candidates of a block to its sums.

@@ -16,8 +16,10 @@ pub trait Fields<S: Scalar>: Copy + Send + Sync {
     const ZERO: Self;
     /// The same record in every lane.
     fn splat<N: Number<Scalar = S>>(&self) -> Self::Of<N>;
-    /// Lane `i` holds `records[i]`, and 0 beyond the end.
-    fn gather<N: Number<Scalar = S>>(records: &[Self]) -> Self::Of<N>;
+    /// Lane `i` holds the `i`-th record, and 0 beyond the last one.
+    fn gather<'a, N: Number<Scalar = S>>(records: impl Iterator<Item = &'a Self>) -> Self::Of<N>
+    where
+        Self: 'a;
     /// The record in lane `i`.
     fn lane<N: Number<Scalar = S>>(of: &Self::Of<N>, i: usize) -> Self;
 }
@@ -60,23 +62,20 @@ macro_rules! record {
                 }
             }
             #[inline(always)]
-            fn gather<N: $crate::scalar::Number<Scalar = S>>(records: &[Self]) -> $name<N, D> {
-                $name {
-                    $($field: N::from_lanes(
-                        #[inline(always)]
-                        |i| records.get(i).map_or(S::ZERO, |record| record.$field)
-                    ),)*
-                    $($($vector: {
-                        let mut vector = [N::zero(); D];
-                        for j in 0..D {
-                            vector[j] = N::from_lanes(
-                                #[inline(always)]
-                                |i| records.get(i).map_or(S::ZERO, |record| record.$vector[j])
-                            );
-                        }
-                        vector
-                    },)*)?
+            fn gather<'a, N: $crate::scalar::Number<Scalar = S>>(
+                records: impl Iterator<Item = &'a Self>,
+            ) -> $name<N, D>
+            where
+                Self: 'a,
+            {
+                let mut of = Self::ZERO.splat::<N>();
+                for (i, record) in records.take(N::LANES).enumerate() {
+                    $(of.$field.set_lane(i, record.$field);)*
+                    $($(for j in 0..D {
+                        of.$vector[j].set_lane(i, record.$vector[j]);
+                    })*)?
                 }
+                of
             }
             #[inline(always)]
             fn lane<N: $crate::scalar::Number<Scalar = S>>(of: &$name<N, D>, i: usize) -> Self {

@@ -98,8 +98,10 @@ impl<S: Scalar> Number for Checked<S> {
     fn splat(value: Self) -> Self {
         value
     }
-    fn from_lanes(mut value: impl FnMut(usize) -> Self) -> Self {
-        value(0)
+    fn set_lane(&mut self, i: usize, value: Self) {
+        if i == 0 {
+            *self = value;
+        }
     }
     fn lane(&self, _: usize) -> Self {
         *self

@@ -143,8 +143,10 @@ macro_rules! fixed_point {
                 value
             }
             #[inline(always)]
-            fn from_lanes(mut value: impl FnMut(usize) -> Self) -> Self {
-                value(0)
+            fn set_lane(&mut self, i: usize, value: Self) {
+                if i == 0 {
+                    *self = value;
+                }
             }
             #[inline(always)]
             fn lane(&self, _: usize) -> Self {

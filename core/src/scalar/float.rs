@@ -16,8 +16,10 @@ macro_rules! float {
                 value
             }
             #[inline(always)]
-            fn from_lanes(mut value: impl FnMut(usize) -> $float) -> Self {
-                value(0)
+            fn set_lane(&mut self, i: usize, value: $float) {
+                if i == 0 {
+                    *self = value;
+                }
             }
             #[inline(always)]
             fn lane(&self, _: usize) -> $float {

@@ -73,12 +73,10 @@ impl<S: Scalar, const L: usize> Number for Lanes<S, L> {
         Self([value; L])
     }
     #[inline(always)]
-    fn from_lanes(mut value: impl FnMut(usize) -> S) -> Self {
-        let mut lanes = [S::ZERO; L];
-        for (i, lane) in lanes.iter_mut().enumerate() {
-            *lane = value(i);
+    fn set_lane(&mut self, i: usize, value: S) {
+        if let Some(lane) = self.0.get_mut(i) {
+            *lane = value;
         }
-        Self(lanes)
     }
     #[inline(always)]
     fn lane(&self, i: usize) -> S {

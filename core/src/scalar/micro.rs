@@ -56,8 +56,10 @@ impl Number for Micro {
         value
     }
     #[inline(always)]
-    fn from_lanes(mut value: impl FnMut(usize) -> Self) -> Self {
-        value(0)
+    fn set_lane(&mut self, i: usize, value: Self) {
+        if i == 0 {
+            *self = value;
+        }
     }
     #[inline(always)]
     fn lane(&self, _: usize) -> Self {

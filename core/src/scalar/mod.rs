@@ -38,8 +38,8 @@ pub trait Number:
 
     /// The same value in every lane.
     fn splat(value: Self::Scalar) -> Self;
-    /// Lane `i` is `value(i)`.
-    fn from_lanes(value: impl FnMut(usize) -> Self::Scalar) -> Self;
+    /// Puts a value into lane `i`; does nothing beyond the last lane.
+    fn set_lane(&mut self, i: usize, value: Self::Scalar);
     /// The value in lane `i`; the last lane where `i` is beyond it.
     fn lane(&self, i: usize) -> Self::Scalar;
     /// Square root; 0 for negative arguments in fixed point.

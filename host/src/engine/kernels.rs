@@ -84,7 +84,7 @@ pub trait HostScalar: Scalar {
 }
 
 macro_rules! with_lanes {
-    ($scalar:ty, $lanes:literal) => {
+    ($scalar:ty, $avx512:literal, $avx2:literal, $portable:literal) => {
         impl HostScalar for $scalar {
             fn sweep<const D: usize, W: Law<Self, D>>(
                 set: InstructionSet,
@@ -98,14 +98,14 @@ macro_rules! with_lanes {
             ) -> bool {
                 match set {
                     #[cfg(target_arch = "x86_64")]
-                    InstructionSet::Avx512 => lanes::<Avx512, Self, D, $lanes, W>(
+                    InstructionSet::Avx512 => lanes::<Avx512, Self, D, $avx512, W>(
                         law, cells, nodes, first, settled, list, fresh,
                     ),
                     #[cfg(target_arch = "x86_64")]
-                    InstructionSet::Avx2 => lanes::<Avx2, Self, D, $lanes, W>(
+                    InstructionSet::Avx2 => lanes::<Avx2, Self, D, $avx2, W>(
                         law, cells, nodes, first, settled, list, fresh,
                     ),
-                    _ => lanes::<Portable, Self, D, $lanes, W>(
+                    _ => lanes::<Portable, Self, D, $portable, W>(
                         law, cells, nodes, first, settled, list, fresh,
                     ),
                 }
@@ -113,8 +113,9 @@ macro_rules! with_lanes {
         }
     };
 }
-with_lanes!(f32, 16);
-with_lanes!(f64, 8);
+// Lanes with AVX-512, with AVX2, and without either.
+with_lanes!(f32, 16, 8, 8);
+with_lanes!(f64, 8, 8, 4);
 
 macro_rules! without_lanes {
     ($({$($generics:tt)*})? $scalar:ty) => {

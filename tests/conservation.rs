@@ -77,10 +77,13 @@ fn drift<S: HostScalar>(courant: f64, steps: u32) -> (f64, f64) {
     )
 }
 
+/// Scalar, its last place at 1, its drift.
+type Row = (&'static str, f64, fn(f64, u32) -> (f64, f64));
+
 /// Every step rounds the velocity of each particle about four times, without a bias: over n
 /// particles and s steps the mean velocity walks by about `4 ulp (s/n)^(1/2) / 2`. The bound is
 /// four times that and the measured drift; a bias would give `s ulp`.
-const MOMENTUM: [(&str, f64, fn(f64, u32) -> (f64, f64)); 4] = [
+const MOMENTUM: [Row; 4] = [
     ("f64", 1.1e-16, drift::<f64>),
     ("f32", 6.0e-8, drift::<f32>),
     ("q12.19", 1.9e-6, drift::<Q32<U19>>),

@@ -59,13 +59,9 @@ devices() {
   output=$(timeout 300 qemu-system-arm -M mps2-an386 -nographic \
     -semihosting-config enable=on,target=native -kernel "$elf")
   printf '%s\n' "$output"
-  local lines=0
-  while read -r line; do
-    grep -qxF "${line%% *}" tests/golden.csv ||
-      fail "the device's digest is not the one in tests/golden.csv: $line"
-    lines=$((lines + 1))
-  done <<<"$output"
-  [ "$lines" -eq 4 ] || fail "expected 4 lines from the firmware, got $lines"
+  # The first word of a line is a row of the table; all rows of that size must be there.
+  diff <(grep ',225,' tests/golden.csv | sort) <(cut -d' ' -f1 <<<"$output" | sort) ||
+    fail "the device's digests (>) are not those of tests/golden.csv (<)"
   echo "the device has the digests of the host"
 }
 
@@ -80,6 +76,6 @@ case "${1:-all}" in
   test) tests ;;
   devices) devices ;;
   speed) speed ;;
-  all) format; lint; tests; devices; speed; say "all good" ;;
+  all) need_device_tools; format; lint; tests; devices; speed; say "all good" ;;
   *) fail "unknown part '$1': format, lint, test, devices, speed, or none for all" ;;
 esac

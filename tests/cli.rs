@@ -222,6 +222,29 @@ const BAD_INPUT: &[(&[&str], &[&str])] = &[
         &["run", "sod", "-n", "3000000", "--scalar", "q12.19"],
         &["q12.19", "integer bits"],
     ),
+    (
+        &["run", "sod", "--set", "cut-off.name=root-free"],
+        &["root-free", "1.5", "eta"],
+    ),
+    (
+        &["run", "sod", "--set", "cut-off.eta=1e9"],
+        &["1000000000", "cut-off.eta between"],
+    ),
+    (
+        &[
+            "run",
+            "sod",
+            "--set",
+            "time.end=1e-12",
+            "--scalar",
+            "q12.19",
+        ],
+        &["duration", "fractional"],
+    ),
+    (
+        &["run", "sod", "--set", "region.0.density=1e308"],
+        &["unit", "nearer to 1"],
+    ),
     (&["bench", "4d"], &["4d", "3d"]),
     (&["bench", "1d", "--scalar", "q12.19"], &["q12.19", "f32"]),
     (&["show", "sot"], &["sot", "sod"]),
@@ -246,6 +269,104 @@ fn bad_input_is_answered_with_the_value_and_the_cure() {
             );
         }
     }
+}
+
+/// The warnings of a run, as JSON tells them.
+fn warnings(folder: &Path, changes: &[&str]) -> Vec<String> {
+    let mut arguments = vec!["run", "sod", "-n", "225", "--json"];
+    arguments.extend(changes.iter().flat_map(|change| ["--set", change]));
+    let json: Value = serde_json::from_str(&stdout(folder, &arguments)).unwrap();
+    let warnings = json["warnings"].as_array().unwrap();
+    warnings
+        .iter()
+        .map(|text| text.as_str().unwrap().to_owned())
+        .collect()
+}
+
+#[test]
+fn doubtful_results_come_with_a_warning() {
+    let folder = tempfile::tempdir().unwrap();
+    let cases: [(&[&str], &str); 5] = [
+        (&["time.end=2.0"], "reached the ends"),
+        (
+            &["domain.sides=[\"periodic\"]", "output.window.lower=[-1.0]"],
+            "lower end",
+        ),
+        (
+            &["domain.sides=[\"free\"]", "output.window.upper=[1.0]"],
+            "end of the domain",
+        ),
+        (
+            &[
+                "output.window.lower=[0.91]",
+                "output.window.upper=[0.91001]",
+            ],
+            "no particle",
+        ),
+        (
+            &["cut-off.epsilon=0.026", "region.1.velocity=[2.0]"],
+            "neighbour",
+        ),
+    ];
+    for (changes, part) in cases {
+        let warnings = warnings(folder.path(), changes);
+        assert!(
+            warnings.iter().any(|text| text.contains(part)),
+            "{changes:?}: {warnings:?}"
+        );
+    }
+    assert!(warnings(folder.path(), &[]).is_empty());
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_goes_away_is_no_failure_and_a_full_disk_is_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let shell = |line: &str| {
+        let line = line.replace("motes", env!("CARGO_BIN_EXE_motes"));
+        Command::new("bash")
+            .args(["-c", &line])
+            .current_dir(folder.path())
+            .output()
+            .unwrap()
+    };
+    let gone = shell("motes show sod | true; exit ${PIPESTATUS[0]}");
+    assert_eq!((gone.status.code(), &gone.stderr[..]), (Some(0), &b""[..]));
+    if Path::new("/dev/full").exists() {
+        let full = shell("motes show sod > /dev/full");
+        let errors = String::from_utf8_lossy(&full.stderr).into_owned();
+        assert_eq!(full.status.code(), Some(1), "{errors}");
+        assert!(
+            errors.contains("cannot write to standard output"),
+            "{errors}"
+        );
+    }
+}
+
+#[test]
+fn an_export_carries_the_whole_scheme() {
+    let folder = tempfile::tempdir().unwrap();
+    let export = |more: &[&str]| {
+        stdout(
+            folder.path(),
+            &[&["export", "sod", "-n", "225"], more].concat(),
+        )
+    };
+    let text = export(&[
+        "--set",
+        "cut-off.name=wendland-c4",
+        "--set",
+        "viscosity.kind=von_neumann",
+    ]);
+    assert!(
+        text.contains("CutOff::WendlandC4") && text.contains("Viscosity::VonNeumann"),
+        "{text}"
+    );
+    assert!(
+        text.starts_with("//! Made by `motes export sod -n 225 --set"),
+        "{text}"
+    );
+    assert!(export(&["--set", "viscosity.kind=none"]).contains("Viscosity::Inviscid"));
 }
 
 /// Ctrl-C in mid-run: finished files of an earlier run stay whole, nothing new is left.

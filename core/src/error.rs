@@ -53,7 +53,8 @@ pub enum Error {
         /// The direction, from 0.
         axis: u8,
     },
-    /// A periodic direction is shorter than three reaches of the cut-off.
+    /// A periodic direction is shorter than three reaches of the cut-off. The reach of an
+    /// adaptive cut-off includes room for ε to grow by 1/32 over what was expected of it.
     PeriodTooShort {
         /// The direction, from 0.
         axis: u8,
@@ -80,6 +81,8 @@ pub enum Error {
         /// Id of the particle.
         particle: u32,
     },
+    /// The time step is below the resolution of the time.
+    Stalled,
     /// Internal energy below zero.
     NegativeEnergy {
         /// Id of the particle.
@@ -164,10 +167,14 @@ impl fmt::Display for Error {
                 "epsilon of particle {particle} did not settle: use a larger eta or a smaller \
                  time step"
             ),
+            Self::Stalled => f.write_str(
+                "the time step is below the resolution of the time in this number format: use a \
+                 format with more digits, or a shorter run",
+            ),
             Self::NegativeEnergy { particle } => write!(
                 f,
                 "the internal energy of particle {particle} fell below zero: use a smaller time \
-                 step or more particles"
+                 step or more particles; in fixed point, check for overflow"
             ),
             Self::NotFinite { particle, quantity } => write!(
                 f,

@@ -14,15 +14,13 @@ use console::Console;
 use cortex_m_rt::entry;
 use cortex_m_semihosting::debug;
 use fixed::types::extra::{U19, U32};
-use motes_core::cutoff::CubicSpline;
-use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
 use motes_core::equation::gas::{Gas, GasStorage};
 use motes_core::error::Error;
 use motes_core::integrator::Clock;
 use motes_core::pairs::HalfLoop;
 use motes_core::scalar::{Q32, Q64, Scalar};
 use static_cell::ConstStaticCell;
-use tube::{CELLS, EXACT_DENSITY, NAME, PARTICLES, TUBE, VISCOSITY, WINDOW};
+use tube::{CELLS, CUT_OFF, EXACT_DENSITY, NAME, PARTICLES, TUBE, WINDOW, viscosity};
 
 /// A tube of gas in static memory.
 type Storage<S> = GasStorage<S, 1, PARTICLES, CELLS>;
@@ -53,8 +51,7 @@ fn main() -> ! {
 fn run<S: Scalar>(storage: Option<&mut Storage<S>>) -> Result<(u64, f64), Error> {
     // `take` would be the shorter word, but panics if the storage was taken before.
     let storage = storage.ok_or(Error::Lengths)?;
-    let [alpha, beta] = VISCOSITY.map(S::from_f64);
-    let solver = TUBE.solver(CubicSpline, Pairwise(Coefficients { alpha, beta }));
+    let solver = TUBE.solver(CUT_OFF, viscosity());
     for particle in TUBE.particles() {
         storage.push(particle)?;
     }
@@ -64,7 +61,7 @@ fn run<S: Scalar>(storage: Option<&mut Storage<S>>) -> Result<(u64, f64), Error>
     while let Some(left) = clock.left() {
         let dt = solver.time_step(&gas, left)?;
         solver.advance(&mut HalfLoop, &mut gas, &mut work, dt)?;
-        clock.tick(dt);
+        clock.tick(dt)?;
     }
     Ok((gas.digest().0, density_error(&gas)))
 }
@@ -87,7 +84,7 @@ fn density_error<S: Scalar>(gas: &Gas<'_, S, 1>) -> f64 {
 
 /// The exact density: straight lines between the points of the table.
 fn exact_density(x: f64) -> f64 {
-    let mut before = EXACT_DENSITY[0];
+    let mut before = (WINDOW[0], 0.0);
     for after in EXACT_DENSITY {
         if x < after.0 {
             let part = (x - before.0) / (after.0 - before.0);

@@ -1,7 +1,12 @@
-//! Made by `motes export sod -n 225`: Sod's shock tube: fan, contact and shock in an ideal gas. Not edited by hand.
+//! Made by `motes export sod -n 225`, not by hand.
+//!
+//! Before a device runs it in a scalar, `motes run` tells whether the scalar can hold it.
 
+use motes_core::cutoff::Named as CutOff;
 use motes_core::domain::Side;
+use motes_core::equation::gas::viscosity::{Coefficients, Named as Viscosity, Pairwise};
 use motes_core::equation::gas::{Stretch, Tube, Width};
+use motes_core::scalar::Scalar;
 
 /// The name of the scenario.
 pub const NAME: &str = "sod";
@@ -12,8 +17,16 @@ pub const PARTICLES: usize = 225;
 /// Cells they can take, and one.
 pub const CELLS: usize = 1029;
 
-/// Linear and quadratic coefficient of the pseudo-viscosity.
-pub const VISCOSITY: [f64; 2] = [1.0, 2.0];
+/// The cut-off.
+pub const CUT_OFF: CutOff = CutOff::CubicSpline;
+
+/// The pseudo-viscosity.
+pub fn viscosity<S: Scalar>() -> Viscosity<S> {
+    Viscosity::Pairwise(Pairwise(Coefficients {
+        alpha: S::from_f64(1.0),
+        beta: S::from_f64(2.0),
+    }))
+}
 
 /// The tube, in solver units.
 pub const TUBE: Tube<'static> = Tube {
@@ -46,7 +59,8 @@ pub const TUBE: Tube<'static> = Tube {
 /// The window in which errors are measured.
 pub const WINDOW: [f64; 2] = [-56.25, 56.25];
 
-/// The exact density at the end: position, density, joined by straight lines.
+/// The exact density at the end: position, density, joined by straight lines; empty without
+/// an exact solution.
 pub const EXACT_DENSITY: [(f64, f64); 305] = [
     (-56.24999997037236, 1.7777777777777777),
     (-55.75620598373247, 1.7777777777777777),

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::exact::riemann::{GasState, RiemannError, RiemannProblem, RiemannSolution};
-use crate::scenario::{Exact, Extent, Material, Scenario};
+use crate::scenario::{Exact, Extent, Material, Region, Scenario, Side};
 use crate::simulation::ParticleRow;
 
 /// Norms of the error of one field over a window.
@@ -69,6 +69,43 @@ impl ExactSolution {
         edges
     }
 
+    /// Why the comparison may not mean what it says: the solution is that of two gases that
+    /// fill all of space, and the ends of the domain can be felt in the window.
+    pub fn doubt(&self, scenario: &Scenario) -> Option<String> {
+        let (extent, window) = (&scenario.domain.extent, &scenario.output.window);
+        let time = scenario.time.end;
+        let edges = self.edges(time);
+        let first = edges.iter().copied().fold(f64::INFINITY, f64::min);
+        let last = edges.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        if first < extent.lower[0] || last > extent.upper[0] {
+            return Some("the waves have reached the ends of the domain".to_owned());
+        }
+        // What an end sends out travels at most with the speed of its gas and of sound.
+        let Material::IdealGas { gamma } = scenario.material;
+        for (end, side) in scenario.domain.sides[0].iter().enumerate() {
+            let place = [extent.lower[0], extent.upper[0]][end];
+            let touches =
+                |region: &&Region| [region.extent.lower[0], region.extent.upper[0]][end] == place;
+            let region = scenario.regions.iter().find(touches);
+            let still = region.is_some_and(|region| region.velocity[0] == 0.0);
+            if *side == Side::Mirror && still {
+                continue;
+            }
+            let speed = |region: &Region| {
+                region.velocity[0].abs() + 3.0 * (gamma * region.pressure / region.density).sqrt()
+            };
+            let fastest = scenario.regions.iter().map(speed).fold(0.0, f64::max);
+            let distance = [window.lower[0] - place, place - window.upper[0]][end];
+            if distance < fastest * time || region.is_none() {
+                let name = ["lower", "upper"][end];
+                return Some(format!(
+                    "the {name} end of the domain may be felt in the window"
+                ));
+            }
+        }
+        None
+    }
+
     /// The solution at a point and a time, > 0.
     pub fn at(&self, position: f64, time: f64) -> FieldValues {
         let xi = (position - self.interface) / time;
@@ -88,13 +125,13 @@ pub fn fields(particle: &ParticleRow) -> FieldValues {
     ]
 }
 
-/// The norms of every field over the particles in the window.
+/// The norms of every field over the particles in the window; `None` if there are none.
 pub fn norms(
     exact: &ExactSolution,
     particles: &[ParticleRow],
     time: f64,
     window: &Extent,
-) -> BTreeMap<&'static str, Norms> {
+) -> Option<BTreeMap<&'static str, Norms>> {
     let inside = |p: &&ParticleRow| (window.lower[0]..=window.upper[0]).contains(&p.position);
     let mut sums = [(0.0, 0.0, 0.0f64); 4];
     let mut total = 0.0;
@@ -116,5 +153,5 @@ pub fn norms(
         l2: (l2 / total).sqrt(),
         linf,
     });
-    FIELDS.into_iter().zip(norms).collect()
+    (total > 0.0).then(|| FIELDS.into_iter().zip(norms).collect())
 }

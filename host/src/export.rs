@@ -6,7 +6,7 @@ use std::fmt::Write;
 use motes_core::equation::gas::Width;
 
 use crate::comparison::ExactSolution;
-use crate::scenario::Scenario;
+use crate::scenario::{Extent, Scenario, Viscosity, ViscosityKind};
 use crate::simulation::Plan;
 
 /// Points of the exact profile between two of its jumps.
@@ -15,17 +15,30 @@ const POINTS: u32 = 60;
 /// The source of a module with a `TUBE`, the capacities it needs, and its exact density.
 ///
 /// Numbers are written with the digits that read back to the same bits.
-pub fn tube(scenario: &Scenario, plan: &Plan, exact: Option<&ExactSolution>) -> String {
+///
+/// `command`: what made it, for its first line.
+pub fn tube(
+    scenario: &Scenario,
+    plan: &Plan,
+    exact: Option<&ExactSolution>,
+    command: &str,
+) -> String {
     let particles = plan.particles();
     let (width, value) = match plan.width {
         Width::Adaptive { eta } => ("Adaptive { eta", eta),
         Width::Constant { epsilon } => ("Constant { epsilon", epsilon),
     };
+    let (viscosity, viscosity_types) = viscosity(&plan.viscosity);
     let mut text = format!(
-        "//! Made by `motes export {name} -n {particles}`: {description}. Not edited by hand.
+        "//! Made by `{command}`, not by hand.
+//!
+//! Before a device runs it in a scalar, `motes run` tells whether the scalar can hold it.
 
+use motes_core::cutoff::Named as CutOff;
 use motes_core::domain::Side;
+use motes_core::equation::gas::viscosity::{viscosity_types};
 use motes_core::equation::gas::{{Stretch, Tube, Width}};
+use motes_core::scalar::Scalar;
 
 /// The name of the scenario.
 pub const NAME: &str = {name:?};
@@ -36,8 +49,13 @@ pub const PARTICLES: usize = {particles};
 /// Cells they can take, and one.
 pub const CELLS: usize = {cells};
 
-/// Linear and quadratic coefficient of the pseudo-viscosity.
-pub const VISCOSITY: [f64; 2] = [{alpha:?}, {beta:?}];
+/// The cut-off.
+pub const CUT_OFF: CutOff = CutOff::{cut_off:?};
+
+/// The pseudo-viscosity.
+pub fn viscosity<S: Scalar>() -> Viscosity<S> {{
+    {viscosity}
+}}
 
 /// The tube, in solver units.
 pub const TUBE: Tube<'static> = Tube {{
@@ -45,10 +63,9 @@ pub const TUBE: Tube<'static> = Tube {{
     sides: [Side::{low:?}, Side::{high:?}],
     stretches: &[\n",
         name = scenario.name,
-        description = scenario.description,
         cells = motes_core::neighbours::cell_bound(particles as u32) + 1,
-        alpha = plan.viscosity.alpha,
-        beta = plan.viscosity.beta,
+        cut_off = plan.cut_off,
+        command = command.split_whitespace().collect::<Vec<_>>().join(" "),
         half = plan.half_length,
         low = plan.sides[0],
         high = plan.sides[1],
@@ -77,35 +94,48 @@ pub const TUBE: Tube<'static> = Tube {{
 }};",
         plan.gamma, plan.courant, plan.end
     );
-    if let Some(exact) = exact {
-        profile(&mut text, scenario, plan, exact);
-    }
+    profile(&mut text, scenario, plan, exact);
     text
+}
+
+/// The constructor of the viscosity, and the types that it needs.
+fn viscosity(viscosity: &Viscosity) -> (String, &'static str) {
+    let coefficients = format!(
+        "Coefficients {{
+        alpha: S::from_f64({:?}),
+        beta: S::from_f64({:?}),
+    }}",
+        viscosity.alpha, viscosity.beta
+    );
+    let kind = match viscosity.kind {
+        ViscosityKind::Pairwise => "Pairwise",
+        ViscosityKind::GingoldMonaghan => "GingoldMonaghan",
+        ViscosityKind::VonNeumann => "VonNeumann",
+        ViscosityKind::None => return ("Viscosity::Inviscid".to_owned(), "Named as Viscosity"),
+    };
+    let types = match kind {
+        "Pairwise" => "{Coefficients, Named as Viscosity, Pairwise}",
+        "VonNeumann" => "{Coefficients, Named as Viscosity, VonNeumann}",
+        _ => "{Coefficients, GingoldMonaghan, Named as Viscosity}",
+    };
+    (format!("Viscosity::{kind}({kind}({coefficients}))"), types)
 }
 
 /// The exact density at the end, between whose points it is a straight line; a jump is two
 /// points at one place.
-fn profile(text: &mut String, scenario: &Scenario, plan: &Plan, exact: &ExactSolution) {
+fn profile(text: &mut String, scenario: &Scenario, plan: &Plan, exact: Option<&ExactSolution>) {
     let window = &scenario.output.window;
     let time = scenario.time.end;
     let solver = |x: f64| (x - plan.middle) / plan.units.length;
-    let ends = [window.lower[0], window.upper[0]];
-    let mut edges = ends.to_vec();
-    edges.extend(
-        exact
-            .edges(time)
-            .into_iter()
-            .filter(|x| ends[0] < *x && *x < ends[1]),
-    );
-    edges.sort_by(f64::total_cmp);
     let mut points = Vec::new();
-    for edge in edges.windows(2) {
+    for edge in smooth_parts(window, time, exact).windows(2) {
         let length = edge[1] - edge[0];
         for i in 0..=POINTS {
             // Just inside the edges: on them the solution may have either of its values.
             let part = (f64::from(i) / f64::from(POINTS)).clamp(1e-9, 1.0 - 1e-9);
             let x = edge[0] + length * part;
-            points.push((solver(x), exact.at(x, time)[0] / plan.units.density()));
+            let density = exact.map_or(0.0, |exact| exact.at(x, time)[0]);
+            points.push((solver(x), density / plan.units.density()));
         }
     }
     let _ = writeln!(
@@ -114,7 +144,8 @@ fn profile(text: &mut String, scenario: &Scenario, plan: &Plan, exact: &ExactSol
 /// The window in which errors are measured.
 pub const WINDOW: [f64; 2] = [{:?}, {:?}];
 
-/// The exact density at the end: position, density, joined by straight lines.
+/// The exact density at the end: position, density, joined by straight lines; empty without
+/// an exact solution.
 pub const EXACT_DENSITY: [(f64, f64); {}] = [",
         solver(window.lower[0]),
         solver(window.upper[0]),
@@ -124,4 +155,22 @@ pub const EXACT_DENSITY: [(f64, f64); {}] = [",
         let _ = writeln!(text, "    ({x:?}, {density:?}),");
     }
     let _ = writeln!(text, "];");
+}
+
+/// The ends of the window and the places in it where the solution is not smooth; nothing
+/// without a solution.
+fn smooth_parts(window: &Extent, time: f64, exact: Option<&ExactSolution>) -> Vec<f64> {
+    let Some(exact) = exact else {
+        return Vec::new();
+    };
+    let ends = [window.lower[0], window.upper[0]];
+    let inside = |x: &f64| ends[0] < *x && *x < ends[1];
+    let mut parts: Vec<f64> = exact
+        .edges(time)
+        .into_iter()
+        .filter(inside)
+        .chain(ends)
+        .collect();
+    parts.sort_by(f64::total_cmp);
+    parts
 }

@@ -48,14 +48,14 @@ pub fn try_run(
         progress: &mut |_| true,
     };
     let scalar = scalar.parse().unwrap();
-    let shape = scenario.cut_off.shape;
-    let outcome = simulation::run(&plan, shape, scalar, false, &mut engine, &mut control)?;
+    let outcome = simulation::run(&plan, scalar, false, &mut engine, &mut control)?;
     let exact = ExactSolution::of(&scenario).unwrap().unwrap();
     let errors = norms(
         &exact,
         &outcome.particles,
         outcome.time,
         &scenario.output.window,
-    );
+    )
+    .unwrap();
     Ok(Run { outcome, errors })
 }

@@ -1,5 +1,6 @@
 //! Time, and when to stop.
 
+use crate::error::Error;
 use crate::scalar::Scalar;
 
 /// The time of a run from 0 to `end`. The last step ends at `end` to the bit.
@@ -29,10 +30,43 @@ impl<S: Scalar> Clock<S> {
         (left > S::ZERO).then_some(left)
     }
 
-    /// Counts a step of `dt`, at most what is left.
-    pub fn tick(&mut self, dt: S) {
+    /// Counts a step of `dt`, at most what is left. Error: a step that the time, as a number
+    /// of this format, does not feel; the run would never end.
+    pub fn tick(&mut self, dt: S) -> Result<(), Error> {
         let left = self.end - self.time;
-        self.time = if dt < left { self.time + dt } else { self.end };
+        let next = if dt >= left { self.end } else { self.time + dt };
+        if !(next > self.time) {
+            return Err(Error::Stalled);
+        }
+        self.time = next;
         self.steps += 1;
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_step_ends_at_the_end_to_the_bit() {
+        let mut clock = Clock::new(1.0f32);
+        while let Some(left) = clock.left() {
+            assert_eq!(clock.tick(if left < 0.3 { left } else { 0.3 }), Ok(()));
+        }
+        assert_eq!((clock.time, clock.steps), (1.0, 4));
+    }
+
+    #[test]
+    fn a_step_that_the_time_does_not_feel_is_an_error() {
+        let mut clock = Clock {
+            time: 262_144.0f32,
+            end: 1e6,
+            steps: 7,
+        };
+        assert_eq!(clock.tick(0.01), Err(Error::Stalled));
+        assert_eq!(clock.tick(0.0), Err(Error::Stalled));
+        assert_eq!(clock.tick(f32::NAN), Err(Error::Stalled));
+        assert_eq!(clock.steps, 7);
     }
 }

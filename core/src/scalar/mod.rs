@@ -83,8 +83,9 @@ pub trait Scalar: Number<Scalar = Self> + PartialOrd + Debug + Send + Sync + 'st
     /// Largest number of cells along one direction for which a cell index is still exact
     /// to 1/64 of a cell.
     const CELL_LIMIT: u32;
-    /// Largest step in ln ε after which the second-order extrapolation of the density sums
-    /// is as exact as the format: about the cube root of its rounding.
+    /// Largest step in ln ε after which the density sums are extrapolated to second order and
+    /// not made again: its cube is below the format's rounding, or near it, and its square
+    /// (the error of Ω) far below the error of any resolution.
     const EXTRAPOLATION: Self;
 
     /// What an exact product of two scalars is kept in: double width in fixed point.

@@ -26,7 +26,7 @@ pub(super) fn bench(arguments: &BenchArguments) -> Result<(), Failure> {
         let result = measure(case, &arguments.scalar, arguments.threads)
             .map_err(|error| Failure::Input(error.into()))?;
         if !arguments.json {
-            println!(
+            let line = format!(
                 "{}: {:.2} million particle updates/s ({}, {} particles, {:.1} neighbours, {} \
                  thread(s), {})",
                 result.case,
@@ -37,6 +37,7 @@ pub(super) fn bench(arguments: &BenchArguments) -> Result<(), Failure> {
                 result.threads,
                 result.instruction_set,
             );
+            super::print(&format!("{line}\n"))?;
         }
         results.push(result);
     }
@@ -44,7 +45,7 @@ pub(super) fn bench(arguments: &BenchArguments) -> Result<(), Failure> {
         let json = serde_json::to_string(&results)
             .into_diagnostic()
             .map_err(Failure::Run)?;
-        println!("{json}");
+        super::print(&format!("{json}\n"))?;
     }
     Ok(())
 }

@@ -18,6 +18,17 @@ pub(super) fn export(arguments: &ExportArguments) -> Result<(), Failure> {
     let exact = ExactSolution::of(&scenario)
         .into_diagnostic()
         .map_err(Failure::Input)?;
-    print!("{}", crate::export::tube(&scenario, &plan, exact.as_ref()));
-    Ok(())
+    let mut command = format!("motes export {}", arguments.scenario);
+    if let Some(particles) = &arguments.particles {
+        command += &format!(" -n {particles}");
+    }
+    for change in &arguments.overrides {
+        command += &format!(" --set '{change}'");
+    }
+    super::print(&crate::export::tube(
+        &scenario,
+        &plan,
+        exact.as_ref(),
+        &command,
+    ))
 }

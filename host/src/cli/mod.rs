@@ -5,9 +5,11 @@ mod bench;
 mod export;
 mod run;
 
+use std::io::Write;
 use std::process::ExitCode;
 
 use clap::Parser;
+use miette::{IntoDiagnostic, WrapErr};
 
 use crate::scenario::{Scenario, Source};
 use arguments::{Arguments, Command};
@@ -42,12 +44,29 @@ pub fn main() -> ExitCode {
     ExitCode::from(code)
 }
 
+/// Prints to standard output. A reader that has gone away is no failure.
+fn print(text: &str) -> Result<(), Failure> {
+    let mut output = std::io::stdout();
+    match output
+        .write_all(text.as_bytes())
+        .and_then(|()| output.flush())
+    {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            let report = Err::<(), _>(error).into_diagnostic();
+            report
+                .wrap_err("cannot write to standard output")
+                .map_err(Failure::Run)
+        }
+        _ => Ok(()),
+    }
+}
+
 /// `motes list`.
 fn list() -> Result<(), Failure> {
     for built_in in crate::scenario::BUILT_IN {
         let source = Source::BuiltIn(built_in.name.to_owned());
         let scenario = Scenario::read(source, &[]).map_err(|error| Failure::Input(error.into()))?;
-        println!("{:<20} {}", scenario.name, scenario.description);
+        print(&format!("{:<20} {}\n", scenario.name, scenario.description))?;
     }
     Ok(())
 }
@@ -58,6 +77,5 @@ fn show(name: &str) -> Result<(), Failure> {
     let text = source
         .text()
         .map_err(|error| Failure::Input(error.into()))?;
-    print!("{text}");
-    Ok(())
+    print(&text)
 }

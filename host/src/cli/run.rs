@@ -55,9 +55,8 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             !interrupted.load(Ordering::Relaxed)
         },
     };
-    let shape = scenario.cut_off.shape;
     let checked = arguments.check_overflow;
-    let outcome = simulation::run(&plan, shape, scalar, checked, &mut engine, &mut control);
+    let outcome = simulation::run(&plan, scalar, checked, &mut engine, &mut control);
     bar.finish_and_clear();
     let outcome = outcome.map_err(|error| match error {
         RunError::Interrupted { .. } => Failure::Interrupted(error.into()),
@@ -65,7 +64,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         RunError::Solver { .. } => Failure::Run(error.into()),
     })?;
 
-    let errors = exact.as_ref().map(|exact| {
+    let errors = exact.as_ref().and_then(|exact| {
         norms(
             exact,
             &outcome.particles,
@@ -73,17 +72,29 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             &scenario.output.window,
         )
     });
+    let mut doubts: Vec<String> = exact
+        .iter()
+        .filter_map(|exact| exact.doubt(&scenario))
+        .map(|why| format!("{why}: the exact solution may not hold there"))
+        .collect();
+    if exact.is_some() && errors.is_none() {
+        doubts.push("no particle is in output.window: there are no errors to tell".to_owned());
+    }
     write(&out, &scenario, &outcome, exact.as_ref()).map_err(Failure::Run)?;
     let called = (scenario.name.as_str(), scalar.name(), engine.threads());
-    let summary = Summary::new(called, &outcome, errors);
+    let summary = Summary::new(called, &outcome, errors, doubts);
     if arguments.json {
         let json = serde_json::to_string(&summary)
             .into_diagnostic()
             .map_err(Failure::Run)?;
-        println!("{json}");
+        super::print(&format!("{json}\n"))?;
     } else if !arguments.quiet {
-        println!("{summary}");
-        println!("results    {}", out.display());
+        super::print(&format!(
+            "{summary}
+results    {}
+",
+            out.display()
+        ))?;
     }
     Ok(())
 }

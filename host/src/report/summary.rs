@@ -67,10 +67,11 @@ impl Summary {
         (scenario, scalar, threads): (&str, &str, usize),
         outcome: &Outcome,
         errors: Option<BTreeMap<&'static str, Norms>>,
+        doubts: Vec<String>,
     ) -> Self {
         let Spread { min, mean, max } =
             Spread::of(outcome.particles.iter().map(|particle| particle.neighbours));
-        let warnings = outcome.lonely.iter().map(|lonely| {
+        let lonely = outcome.lonely.iter().map(|lonely| {
             format!(
                 "particle {} had {} neighbour(s) at t = {:.6}: its density no longer feels the \
                  spacing, and waves may move at wrong speeds; use eta, or a larger epsilon",
@@ -94,9 +95,23 @@ impl Summary {
             },
             neighbours: SpreadJson { min, mean, max },
             digest: outcome.digest.to_string(),
-            warnings: warnings.collect(),
+            warnings: lonely.chain(drifted(outcome)).chain(doubts).collect(),
         }
     }
+}
+
+/// The energy that a sound run may gain or lose: leap-frog and viscosity stay far below it.
+const SOUND_DRIFT: f64 = 1e-3;
+
+/// A warning where the energy has moved as it does not in a sound run.
+fn drifted(outcome: &Outcome) -> Option<String> {
+    let drift = outcome.drift.energy;
+    (!(drift.abs() < SOUND_DRIFT)).then(|| {
+        format!(
+            "the total energy moved by {drift:.1e} of itself: in fixed point numbers may have \
+             overflowed (--check-overflow tells), else the time step is too large (time.courant)"
+        )
+    })
 }
 
 impl fmt::Display for Summary {

@@ -1,9 +1,10 @@
 //! From a scenario to what the solver needs, in solver units.
 
+use motes_core::cutoff::{CutOff, Named};
 use motes_core::domain::Side;
 use motes_core::equation::gas::{Stretch, Tube, Width};
 
-use crate::scenario::{self, Material, Region, Scenario, Viscosity};
+use crate::scenario::{self, CutOffShape, Material, Region, Scenario, Viscosity};
 use crate::units::SolverUnits;
 
 /// A one-dimensional gas run in solver units, every number still an `f64`.
@@ -29,6 +30,8 @@ pub struct Plan {
     pub end: f64,
     /// Factor of the time step.
     pub courant: f64,
+    /// The cut-off.
+    pub cut_off: Named,
 }
 
 /// A scenario that cannot be planned.
@@ -53,6 +56,34 @@ pub enum PlanError {
         region: usize,
         /// Its share of the particles.
         share: f64,
+    },
+    /// A cut-off that reaches too few or too many particles.
+    #[error(
+        "eta = {eta} makes the cut-off `{cut_off}` reach {reach} spacings: need {least} to {most}"
+    )]
+    #[diagnostic(help("set cut-off.eta between {} and {}", least / support, most / support))]
+    Reach {
+        /// Width in spacings.
+        eta: f64,
+        /// Name of the cut-off.
+        cut_off: &'static str,
+        /// Its support in units of its width.
+        support: f64,
+        /// Their product.
+        reach: f64,
+        /// The least that works.
+        least: f64,
+        /// The most that is allowed.
+        most: f64,
+    },
+    /// Numbers so large or small that the solver's units are not finite.
+    #[error("the unit of {unit} would be {value:e}")]
+    #[diagnostic(help("give the scenario in units in which its numbers are nearer to 1"))]
+    Extreme {
+        /// Which solver unit.
+        unit: &'static str,
+        /// What it would be.
+        value: f64,
     },
     /// More particles than ids.
     #[error("{particles} particles are more than this build can number ({limit})")]
@@ -101,6 +132,8 @@ impl Plan {
             velocity: scenario.regions.iter().map(sound).fold(0.0, f64::max),
             dimension: 1,
         };
+        check_units(&units)?;
+        check_reach(scenario)?;
         let middle = 0.5 * (lower + upper);
         let counts = apportion(&masses, particles)?;
         let stretches = scenario.regions.iter().zip(counts).zip(&masses).map(
@@ -133,6 +166,7 @@ impl Plan {
             viscosity: scenario.viscosity,
             end: scenario.time.end / units.time(),
             courant: scenario.time.courant,
+            cut_off: named(scenario.cut_off.shape),
         })
     }
 
@@ -155,6 +189,61 @@ impl Plan {
             .iter()
             .map(|stretch| stretch.particles as usize)
             .sum()
+    }
+}
+
+/// Reaches in spacings between which a density sum makes sense: one neighbour on either side
+/// with room to move, and no more than a solver wants to look at.
+const REACH: [f64; 2] = [1.5, 40.0];
+
+/// Refuses an η with which particles would see nobody, or everybody.
+fn check_reach(scenario: &Scenario) -> Result<(), PlanError> {
+    let scenario::Width::Adaptive { eta } = scenario.cut_off.width else {
+        return Ok(());
+    };
+    let cut_off = named(scenario.cut_off.shape);
+    let support = f64::from(cut_off.support());
+    let ([least, most], reach) = (REACH, eta * support);
+    if (least..=most).contains(&reach) {
+        return Ok(());
+    }
+    Err(PlanError::Reach {
+        eta,
+        cut_off: cut_off.name(),
+        support,
+        reach,
+        least,
+        most,
+    })
+}
+
+/// Refuses units that `f64` cannot hold with room around them.
+fn check_units(units: &SolverUnits) -> Result<(), PlanError> {
+    let sizes = [
+        ("length", units.length),
+        ("mass", units.mass),
+        ("velocity", units.velocity),
+        ("time", units.time()),
+        ("energy", units.energy()),
+    ];
+    match sizes
+        .into_iter()
+        .find(|(_, value)| !(1e-200..1e200).contains(value))
+    {
+        Some((unit, value)) => Err(PlanError::Extreme { unit, value }),
+        None => Ok(()),
+    }
+}
+
+/// The core's cut-off of that shape.
+fn named(shape: CutOffShape) -> Named {
+    match shape {
+        CutOffShape::CubicSpline => Named::CubicSpline,
+        CutOffShape::QuinticSpline => Named::QuinticSpline,
+        CutOffShape::WendlandC2 => Named::WendlandC2,
+        CutOffShape::WendlandC4 => Named::WendlandC4,
+        CutOffShape::WendlandC6 => Named::WendlandC6,
+        CutOffShape::RootFree => Named::RootFree,
     }
 }
 

@@ -26,7 +26,7 @@ pub struct Control<'a> {
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 pub enum RunError {
     /// The solver stopped.
-    #[error("at t = {time:.6}, step {step}: {error}")]
+    #[error("at t = {time}, step {step}: {error}")]
     Solver {
         /// When, in the scenario's units.
         time: f64,
@@ -36,10 +36,16 @@ pub enum RunError {
         error: Error,
     },
     /// A number of the plan does not fit the scalar.
-    #[error("{what} is {value:.6} in solver units, which `{scalar}` cannot hold")]
+    #[error("{what} is {value:.3e} in solver units, which `{scalar}` cannot hold to 1 %")]
     #[diagnostic(help(
-        "use fewer particles (solver units are particle spacings), or a format \
-        with more integer bits"
+        "{}",
+        if value.abs() > 1.0 {
+            "use a format with more integer bits, or fewer particles: lengths are counted in \
+             particle spacings"
+        } else {
+            "use a format with more fractional bits: masses, velocities and energies are \
+             counted in those of the first state"
+        }
     ))]
     Format {
         /// Which number.
@@ -50,7 +56,7 @@ pub enum RunError {
         scalar: String,
     },
     /// The caller asked for it.
-    #[error("interrupted at t = {time:.6}, after {step} steps: no results were written")]
+    #[error("interrupted at t = {time}, after {step} steps: no results were written")]
     Interrupted {
         /// When.
         time: f64,
@@ -112,7 +118,7 @@ impl<S: HostScalar, C: CutOff, V: Viscosity<S>> Run<'_, S, C, V> {
             .prepare(engine, &mut gas, &mut work)
             .map_err(|error| self.failed(error))?;
         let first = self.sample(&gas, S::ZERO);
-        let mut series = vec![first];
+        let (mut series, mut sampled) = (vec![first], 0.0);
         let mut lonely = self.watch(&gas, None);
         while let Some(left) = self.clock.left() {
             let dt = self
@@ -122,10 +128,12 @@ impl<S: HostScalar, C: CutOff, V: Viscosity<S>> Run<'_, S, C, V> {
             self.solver
                 .advance(engine, &mut gas, &mut work, dt)
                 .map_err(|error| self.failed(error))?;
-            self.clock.tick(dt);
+            self.clock.tick(dt).map_err(|error| self.failed(error))?;
             lonely = self.watch(&gas, lonely);
             let done = self.clock.time.to_f64() / self.clock.end.to_f64();
-            if done * control.samples as f64 >= series.len() as f64 {
+            let due = (done * control.samples as f64).floor();
+            if due > sampled {
+                sampled = due;
                 series.push(self.sample(&gas, dt));
             }
             if !(control.progress)(done) {

@@ -11,7 +11,7 @@ use super::outcome::Outcome;
 use super::plan::Plan;
 use super::run::{Control, RunError, run_with};
 use crate::engine::{HostScalar, Threads};
-use crate::scenario::{CutOffShape, ViscosityKind};
+use crate::scenario::ViscosityKind;
 
 macro_rules! scalars {
     ($($variant:ident, $name:literal, $what:literal, $type:ty;)*) => {
@@ -30,16 +30,15 @@ macro_rules! scalars {
             fn run(
                 self,
                 plan: &Plan,
-                shape: CutOffShape,
                 checked: bool,
                 engine: &mut Threads,
                 control: &mut Control<'_>,
             ) -> Result<Outcome, RunError> {
                 match self {
                     $(Self::$variant if checked => {
-                        run_named::<Checked<$type>>(plan, $name, shape, engine, control)
+                        run_named::<Checked<$type>>(plan, $name, engine, control)
                     })*
-                    $(Self::$variant => run_as::<$type>(plan, $name, shape, engine, control),)*
+                    $(Self::$variant => run_as::<$type>(plan, $name, engine, control),)*
                 }
             }
         }
@@ -101,13 +100,12 @@ impl std::str::FromStr for ScalarName {
 /// What [`RunError`] lists.
 pub fn run(
     plan: &Plan,
-    shape: CutOffShape,
     scalar: ScalarName,
     checked: bool,
     engine: &mut Threads,
     control: &mut Control<'_>,
 ) -> Result<Outcome, RunError> {
-    scalar.run(plan, shape, checked, engine, control)
+    scalar.run(plan, checked, engine, control)
 }
 
 /// The default cut-off and viscosity are compiled together, the others are looked up for
@@ -115,34 +113,31 @@ pub fn run(
 fn run_as<S: HostScalar>(
     plan: &Plan,
     name: &str,
-    shape: CutOffShape,
     engine: &mut Threads,
     control: &mut Control<'_>,
 ) -> Result<Outcome, RunError> {
-    match (shape, viscosity::<S>(plan)) {
-        (CutOffShape::CubicSpline, NamedViscosity::Pairwise(viscosity)) => {
+    match (plan.cut_off, viscosity::<S>(plan)) {
+        (NamedCutOff::CubicSpline, NamedViscosity::Pairwise(viscosity)) => {
             run_with(plan, name, CubicSpline, viscosity, engine, control)
         }
-        _ => run_named::<S>(plan, name, shape, engine, control),
+        _ => run_named::<S>(plan, name, engine, control),
     }
 }
 
 fn run_named<S: HostScalar>(
     plan: &Plan,
     name: &str,
-    shape: CutOffShape,
     engine: &mut Threads,
     control: &mut Control<'_>,
 ) -> Result<Outcome, RunError> {
-    let cut_off = match shape {
-        CutOffShape::CubicSpline => NamedCutOff::CubicSpline,
-        CutOffShape::QuinticSpline => NamedCutOff::QuinticSpline,
-        CutOffShape::WendlandC2 => NamedCutOff::WendlandC2,
-        CutOffShape::WendlandC4 => NamedCutOff::WendlandC4,
-        CutOffShape::WendlandC6 => NamedCutOff::WendlandC6,
-        CutOffShape::RootFree => NamedCutOff::RootFree,
-    };
-    run_with(plan, name, cut_off, viscosity::<S>(plan), engine, control)
+    run_with(
+        plan,
+        name,
+        plan.cut_off,
+        viscosity::<S>(plan),
+        engine,
+        control,
+    )
 }
 
 fn viscosity<S: HostScalar>(plan: &Plan) -> NamedViscosity<S> {

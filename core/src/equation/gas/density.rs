@@ -188,7 +188,10 @@ impl<S: Scalar, C: CutOff, const D: usize> Density<S, C, D> {
         let bounded = |delta: S| delta.greater(-largest).lesser(largest);
         let delta = if slope > node.mass * self.target * S::from_f64(1.0 / 64.0) {
             let d = bounded(missing / slope);
-            bounded(d - (second / slope * d * d).half())
+            // At most half of d, or the two could cancel far from the solution.
+            let correction = (second / slope * d * d).half();
+            let most = d.abs().half();
+            bounded(d - correction.greater(-most).lesser(most))
         } else {
             // No neighbour to speak of: widen.
             largest

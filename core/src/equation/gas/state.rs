@@ -50,7 +50,8 @@ pub struct Gas<'a, S, const D: usize> {
     pub divergence: &'a mut [S],
     /// The speed that bounds the time step, see [`super::Viscosity::signal`].
     pub signal: &'a mut [S],
-    /// Partners within the support, without the particle itself.
+    /// Partners within the support of the last ε that was summed over (the final one may
+    /// differ by [`Scalar::EXTRAPOLATION`]), without the particle itself.
     pub neighbours: &'a mut [S],
 }
 

@@ -10,20 +10,42 @@ use std::time::{Duration, Instant};
 use criterion::{BenchmarkId, Criterion, Throughput};
 use fixed::types::extra::U19;
 use motes::benchmark::{CASES, Case, jittered};
-use motes::engine::{HostScalar, InstructionSet, Threads};
+use motes::engine::{GrowingList, HostScalar, InstructionSet, Threads};
 use motes::simulation::GasArrays;
 use motes_core::cutoff::CubicSpline;
 use motes_core::domain::{Axis, Domain};
 use motes_core::equation::gas::Width;
 use motes_core::equation::gas::density::{Density, DensityNode, DensitySums};
+use motes_core::error::Error;
 use motes_core::neighbours::{Cells, sort};
-use motes_core::pairs::{Engine, Fields, HalfLoop, PlainLoop, Settled};
+use motes_core::pairs::{Engine, Fields, HalfLoop, Law, PlainLoop, Portable, Settled, lanes};
 use motes_core::scalar::{Q32, Scalar};
 
 /// Lanes over plain for f32 in 2D that vectors of 256 bits and more give at the least.
 const SMALLEST_RATIO: f64 = 4.0;
 
 type Result<S, const D: usize> = Settled<DensityNode<S, D>, DensitySums<S, D>>;
+
+/// Lanes of the portable kernel, for scalars that runs do not use lanes for.
+#[derive(Default)]
+struct PortableLanes(GrowingList);
+
+impl<S: Scalar, const D: usize> Engine<S, D> for PortableLanes {
+    fn sweep<W: Law<S, D>>(
+        &mut self,
+        law: &W,
+        cells: &Cells<'_, S, D>,
+        nodes: &[W::Node],
+        settled: &mut [Settled<W::Node, W::Sums>],
+    ) -> std::result::Result<(), Error> {
+        self.0.clear();
+        let list = &mut self.0;
+        assert!(lanes::<Portable, S, D, 4, W>(
+            law, cells, nodes, 0, settled, list, true
+        ));
+        Ok(())
+    }
+}
 
 /// A sorted cloud with everything that one density sum needs.
 struct Sum<'a, S: Scalar, const D: usize> {
@@ -89,8 +111,13 @@ fn measure<S: HostScalar, const D: usize>(criterion: &mut Criterion, scalar: &st
         group.bench_function(id("half"), |bencher| {
             bencher.iter(|| sum.run(&mut HalfLoop))
         });
-        let mut lanes = Threads::new(1).unwrap();
-        group.bench_function(id("lanes"), |bencher| bencher.iter(|| sum.run(&mut lanes)));
+        if S::HAS_LANES {
+            let mut lanes = Threads::new(1).unwrap();
+            group.bench_function(id("lanes"), |bencher| bencher.iter(|| sum.run(&mut lanes)));
+        } else {
+            let mut lanes = PortableLanes::default();
+            group.bench_function(id("lanes"), |bencher| bencher.iter(|| sum.run(&mut lanes)));
+        }
         group.finish();
     });
 }

@@ -69,7 +69,7 @@ impl Cloud {
         GasArrays::new(self.particles())
     }
 
-    /// The box with these sides, the same in the first and last direction shifted by one.
+    /// The box `[0, per_side]^D` with these sides.
     pub fn domain<S: Scalar, const D: usize>(&self, sides: [[Side; 2]; D]) -> Domain<S, D> {
         let upper = S::from_f64(self.per_side as f64);
         Domain {

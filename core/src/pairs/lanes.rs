@@ -9,11 +9,11 @@
 //! in memory: that is what the compiler turns into vectors. Inlined into more than they need,
 //! or split by a call, they lose a factor of ten.
 
+use super::kernel::{Kernel, Operands, Receivers};
 use super::law::{Fields, Law, Settled};
 use super::mirror::mirror_terms;
-use crate::domain::Offset;
-use crate::neighbours::{Cells, Image, Run, Runs};
-use crate::scalar::{Lanes, Number, Scalar};
+use crate::neighbours::{Cells, Run};
+use crate::scalar::{Lanes, Scalar};
 
 /// Receivers `start..end` of the sorted order, all in one row of cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,58 +73,6 @@ pub trait List {
     fn words(&self, start: usize) -> &[u32];
 }
 
-/// The inner loops, compiled for one instruction set.
-pub trait Kernel {
-    /// [`find`].
-    fn find<S: Scalar, const D: usize, const L: usize>(
-        cells: &Cells<'_, S, D>,
-        receivers: &Receivers<S, D, L>,
-        runs: &Runs<D>,
-        words: &mut [u32],
-    ) -> usize;
-    /// [`sum`].
-    fn sum<S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
-        law: &W,
-        cells: &Cells<'_, S, D>,
-        nodes: &[W::Node],
-        block: &Operands<'_, S, D, L, W>,
-        sums: &mut <W::Sums as Fields<S>>::Of<Lanes<S, L>>,
-    );
-}
-
-/// The inner loops for the instruction set that the crate is compiled for.
-pub struct Portable;
-
-impl Kernel for Portable {
-    fn find<S: Scalar, const D: usize, const L: usize>(
-        cells: &Cells<'_, S, D>,
-        receivers: &Receivers<S, D, L>,
-        runs: &Runs<D>,
-        words: &mut [u32],
-    ) -> usize {
-        find(cells, receivers, runs, words)
-    }
-    fn sum<S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
-        law: &W,
-        cells: &Cells<'_, S, D>,
-        nodes: &[W::Node],
-        block: &Operands<'_, S, D, L, W>,
-        sums: &mut <W::Sums as Fields<S>>::Of<Lanes<S, L>>,
-    ) {
-        sum(law, cells, nodes, block, sums);
-    }
-}
-
-/// What the sums of a block are made from.
-pub struct Operands<'a, S: Scalar, const D: usize, const L: usize, W: Law<S, D>> {
-    /// Where the receivers are.
-    pub receivers: &'a Receivers<S, D, L>,
-    /// What they show.
-    pub k: &'a <W::Node as Fields<S>>::Of<Lanes<S, L>>,
-    /// Their candidates: stretches of [`List`].
-    pub candidates: &'a [u32],
-}
-
 /// Evaluates `law` for the receivers `first..first + settled.len()` of the sorted order, `L`
 /// at a time.
 ///
@@ -143,7 +91,7 @@ pub fn lanes<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>
     let mut word = 0;
     let end = first + settled.len();
     for block in Blocks::<S, D, L>::new(cells, first, end) {
-        let receivers = Receivers::<S, D, L>::of(cells, &block);
+        let receivers = Receivers::<S, D, L>::of(cells, block.start..block.end);
         if fresh && !find_candidates::<K, S, D, L>(cells, &block, &receivers, list) {
             return false;
         }
@@ -186,109 +134,6 @@ fn find_candidates<K: Kernel, S: Scalar, const D: usize, const L: usize>(
     let used = K::find(cells, receivers, &runs, words);
     list.commit(used);
     true
-}
-
-/// Positions and reaches of the receivers of a block.
-pub struct Receivers<S, const D: usize, const L: usize> {
-    position: [Lanes<S, L>; D],
-    reach_squared: Lanes<S, L>,
-}
-
-impl<S: Scalar, const D: usize, const L: usize> Receivers<S, D, L> {
-    fn of(cells: &Cells<'_, S, D>, block: &Block<D>) -> Self {
-        let sites = cells.sites().get(block.start..block.end).unwrap_or(&[]);
-        let mut receivers = Self {
-            position: [Lanes::zero(); D],
-            reach_squared: Lanes::splat(-S::ONE),
-        };
-        for (i, site) in sites.iter().enumerate() {
-            for j in 0..D {
-                receivers.position[j].set_lane(i, site.position[j]);
-            }
-            receivers.reach_squared.set_lane(i, site.reach_squared);
-        }
-        // Lanes without a receiver stand where the first one is: they ask for nothing more.
-        for i in sites.len()..L {
-            for j in 0..D {
-                let first = receivers.position[j].lane(0);
-                receivers.position[j].set_lane(i, first);
-            }
-        }
-        receivers
-    }
-}
-
-/// The displacement of every lane from one partner.
-#[inline(always)]
-fn displacement<S: Scalar, const D: usize, const L: usize>(
-    position: &[Lanes<S, L>; D],
-    partner: &[S; D],
-    shift: &[S; D],
-) -> [Lanes<S, L>; D] {
-    let mut r = [Lanes::zero(); D];
-    for i in 0..D {
-        r[i] = Offset::Shift(shift[i]).displacement(position[i], Lanes::splat(partner[i]));
-    }
-    r
-}
-
-/// The shift of an image that is not mirrored.
-#[inline(always)]
-fn shift_of<S: Scalar, const D: usize>(cells: &Cells<'_, S, D>, image: Image<D>) -> [S; D] {
-    cells.grid().offsets(image).map(|offset| match offset {
-        Offset::Shift(shift) => shift,
-        Offset::Wall(_) => S::ZERO,
-    })
-}
-
-/// Fills `words` with one block of the stream of a [`List`]: the candidates in `runs` that any
-/// receiver needs. Returns how many words it took.
-#[inline(always)]
-pub fn find<S: Scalar, const D: usize, const L: usize>(
-    cells: &Cells<'_, S, D>,
-    receivers: &Receivers<S, D, L>,
-    runs: &Runs<D>,
-    words: &mut [u32],
-) -> usize {
-    let mut used = 1;
-    let mut head: Option<(usize, u32)> = None;
-    for run in runs {
-        let image = run.image.packed();
-        // Runs with the same image share one stretch.
-        let (at, image) = match head {
-            Some((at, before)) if before == image => (at, image),
-            _ => {
-                let at = used;
-                used += 2;
-                (at, image)
-            }
-        };
-        head = Some((at, image));
-        let shift = shift_of(cells, run.image);
-        let sites = cells
-            .sites()
-            .get(run.start as usize..run.end as usize)
-            .unwrap_or(&[]);
-        for (place, site) in (run.start..).zip(sites) {
-            let r = displacement(&receivers.position, &site.position, &shift);
-            let distance_squared = Lanes::length_squared(&r);
-            let reach = receivers
-                .reach_squared
-                .max(Lanes::splat(site.reach_squared));
-            // Written always, kept if needed: no branch.
-            if let Some(word) = words.get_mut(used) {
-                *word = place;
-            }
-            used += usize::from(distance_squared.any_below(reach));
-        }
-        if let Some([code, count]) = words.get_mut(at..at + 2) {
-            (*code, *count) = (image, (used - at - 2) as u32);
-        }
-    }
-    if let Some(count) = words.first_mut() {
-        *count = used as u32 - 1;
-    }
-    used
 }
 
 /// Evaluates the law for the receivers from `start` on until every lane is done. A lane that
@@ -355,38 +200,4 @@ fn add_mirrors<S: Scalar, const D: usize, W: Law<S, D>>(
         &mut sums,
     );
     settled.sums = W::Sums::lane::<S>(&sums, 0);
-}
-
-/// Adds the terms of the candidates of a block to its sums.
-#[inline(always)]
-pub fn sum<S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
-    law: &W,
-    cells: &Cells<'_, S, D>,
-    nodes: &[W::Node],
-    block: &Operands<'_, S, D, L, W>,
-    sums: &mut <W::Sums as Fields<S>>::Of<Lanes<S, L>>,
-) {
-    let (k, position) = (*block.k, block.receivers.position);
-    let mut to_k = *sums;
-    let mut discarded = W::Sums::ZERO.splat::<Lanes<S, L>>();
-    let sites = cells.sites();
-    let mut candidates = block.candidates;
-    while let [image, count, rest @ ..] = candidates {
-        let (stretch, rest) = rest
-            .split_at_checked(*count as usize)
-            .unwrap_or((rest, &[]));
-        candidates = rest;
-        let shift = shift_of(cells, Image::unpacked(*image));
-        for &place in stretch {
-            let (Some(site), Some(shown)) = (sites.get(place as usize), nodes.get(place as usize))
-            else {
-                continue;
-            };
-            let r = displacement(&position, &site.position, &shift);
-            let distance_squared = Lanes::length_squared(&r);
-            let l = shown.splat::<Lanes<S, L>>();
-            law.pair(&k, &l, &r, distance_squared, &mut to_k, &mut discarded);
-        }
-    }
-    *sums = to_k;
 }

@@ -1,10 +1,6 @@
-//! What an equation has to say, and who carries it out.
+//! What an equation has to say.
 
-use crate::error::Error;
-use crate::neighbours::Cells;
 use crate::scalar::{Number, Scalar};
-
-use super::{half, plain};
 
 /// A record of scalars that also exists with lanes in place of the scalars.
 ///
@@ -148,55 +144,5 @@ impl<Node, Sums> Settled<Node, Sums> {
     /// A result that has not been written yet.
     pub const fn new(node: Node, sums: Sums) -> Self {
         Self { node, sums }
-    }
-}
-
-/// Who carries a law out over a cloud. All engines give the same bits.
-pub trait Engine<S: Scalar, const D: usize> {
-    /// The cloud was sorted anew: anything remembered of the neighbours is void.
-    fn sorted(&mut self) {}
-
-    /// Evaluates `law` for every particle; `nodes` and `settled` are in sorted order and as
-    /// long as the cloud.
-    fn sweep<W: Law<S, D>>(
-        &mut self,
-        law: &W,
-        cells: &Cells<'_, S, D>,
-        nodes: &[W::Node],
-        settled: &mut [Settled<W::Node, W::Sums>],
-    ) -> Result<(), Error>;
-}
-
-/// The plain loop: the definition of every sum.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct PlainLoop;
-
-impl<S: Scalar, const D: usize> Engine<S, D> for PlainLoop {
-    fn sweep<W: Law<S, D>>(
-        &mut self,
-        law: &W,
-        cells: &Cells<'_, S, D>,
-        nodes: &[W::Node],
-        settled: &mut [Settled<W::Node, W::Sums>],
-    ) -> Result<(), Error> {
-        plain(law, cells, nodes, 0, settled);
-        Ok(())
-    }
-}
-
-/// The half loop: every pair once. The engine of a device.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct HalfLoop;
-
-impl<S: Scalar, const D: usize> Engine<S, D> for HalfLoop {
-    fn sweep<W: Law<S, D>>(
-        &mut self,
-        law: &W,
-        cells: &Cells<'_, S, D>,
-        nodes: &[W::Node],
-        settled: &mut [Settled<W::Node, W::Sums>],
-    ) -> Result<(), Error> {
-        half(law, cells, nodes, settled);
-        Ok(())
     }
 }

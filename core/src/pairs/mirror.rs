@@ -2,8 +2,8 @@
 //! fixed order, each wall in ascending sorted order.
 
 use super::law::{Fields, Law};
-use super::plain::run_terms;
-use crate::neighbours::{Cells, code};
+use super::run::run_terms;
+use crate::neighbours::Cells;
 use crate::scalar::Scalar;
 
 /// Adds the terms of the mirror images to the sums of the receiver at `place` in `cell`.
@@ -32,20 +32,4 @@ pub(super) fn mirror_terms<S: Scalar, const D: usize, W: Law<S, D>>(
             run_terms(law, cells, nodes, place, node, run, sums);
         }
     }
-}
-
-/// The node of `l` as its image shows it.
-#[inline(always)]
-pub(super) fn image_of<S: Scalar, const D: usize, W: Law<S, D>>(
-    law: &W,
-    node: &W::Node,
-    image: &[u8; D],
-) -> W::Node {
-    let mut node = *node;
-    for (axis, &seen) in image.iter().enumerate() {
-        if seen == code::LOWER_WALL || seen == code::UPPER_WALL {
-            node = law.reflected(&node, axis);
-        }
-    }
-    node
 }

@@ -6,13 +6,18 @@
 //! from +0. The [`half`] loop and the [`lanes`] give the same bits faster: skipped terms are
 //! exactly 0, and no sum is ever -0.
 
+mod engine;
 mod half;
+mod kernel;
 mod lanes;
 mod law;
 mod mirror;
 mod plain;
+mod run;
 
+pub use engine::{Engine, HalfLoop, PlainLoop};
 pub use half::half;
-pub use lanes::{Block, Blocks, Kernel, List, Operands, Portable, Receivers, find, lanes, sum};
-pub use law::{Engine, Fields, HalfLoop, Law, PlainLoop, Settled};
+pub use kernel::{Kernel, Operands, Portable, Receivers, find, sum};
+pub use lanes::{Block, Blocks, List, lanes};
+pub use law::{Fields, Law, Settled};
 pub use plain::plain;

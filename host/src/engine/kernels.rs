@@ -2,9 +2,9 @@
 //! gets.
 //!
 //! This is the only `unsafe` of the project. A function with `#[target_feature]` may only run
-//! on a processor that has the feature. The kernels are reached through [`HostScalar::sweep`]
-//! alone, with an [`InstructionSet`] that [`super::Threads`] has passed through
-//! [`InstructionSet::available`], which asks the processor.
+//! on a processor that has the feature. The kernels are private, and reached through
+//! [`HostScalar::sweep`] alone, which chooses among them by [`InstructionSet::available`]: that
+//! asks the processor.
 #![allow(unsafe_code)]
 
 use motes_core::neighbours::{Cells, Runs};
@@ -69,6 +69,9 @@ kernel!(Avx512, "avx2,avx512f,avx512vl,avx512dq,avx512bw");
 
 /// A scalar that the host can run with.
 pub trait HostScalar: Scalar {
+    /// Whether runs use lanes: where they do not, the plain loop is as fast.
+    const HAS_LANES: bool;
+
     /// Evaluates `law` over a range of receivers, as [`lanes`] does.
     #[expect(clippy::too_many_arguments, reason = "passes on what `lanes` takes")]
     fn sweep<const D: usize, W: Law<Self, D>>(
@@ -86,6 +89,8 @@ pub trait HostScalar: Scalar {
 macro_rules! with_lanes {
     ($scalar:ty, $avx512:literal, $avx2:literal, $portable:literal) => {
         impl HostScalar for $scalar {
+            const HAS_LANES: bool = true;
+
             fn sweep<const D: usize, W: Law<Self, D>>(
                 set: InstructionSet,
                 law: &W,
@@ -96,7 +101,8 @@ macro_rules! with_lanes {
                 list: &mut GrowingList,
                 fresh: bool,
             ) -> bool {
-                match set {
+                // Asked again, though the engine has asked: what follows relies on it.
+                match set.available() {
                     #[cfg(target_arch = "x86_64")]
                     InstructionSet::Avx512 => lanes::<Avx512, Self, D, $avx512, W>(
                         law, cells, nodes, first, settled, list, fresh,
@@ -120,6 +126,8 @@ with_lanes!(f64, 8, 8, 4);
 macro_rules! without_lanes {
     ($({$($generics:tt)*})? $scalar:ty) => {
         impl $(<$($generics)*>)? HostScalar for $scalar {
+            const HAS_LANES: bool = false;
+
             fn sweep<const D: usize, W: Law<Self, D>>(
                 _: InstructionSet,
                 law: &W,

@@ -1,0 +1,56 @@
+//! The terms of one run on one receiver.
+
+use super::law::{Fields, Law};
+use crate::neighbours::{Cells, Run, code};
+use crate::scalar::{Number, Scalar};
+
+/// Adds the terms of one run to the sums of the receiver at `place`.
+#[inline(always)]
+pub(super) fn run_terms<S: Scalar, const D: usize, W: Law<S, D>>(
+    law: &W,
+    cells: &Cells<'_, S, D>,
+    nodes: &[W::Node],
+    place: usize,
+    node: &W::Node,
+    run: &Run<D>,
+    sums: &mut <W::Sums as Fields<S>>::Of<S>,
+) {
+    let range = run.start as usize..run.end as usize;
+    let (Some(site), Some(partners), Some(shown)) = (
+        cells.sites().get(place),
+        cells.sites().get(range.clone()),
+        nodes.get(range),
+    ) else {
+        return;
+    };
+    let offsets = cells.grid().offsets(run.image);
+    let k = node.splat::<S>();
+    let mut discarded = W::Sums::ZERO.splat::<S>();
+    for (partner, shown) in partners.iter().zip(shown) {
+        let mut r = [S::ZERO; D];
+        for i in 0..D {
+            r[i] = offsets[i].displacement(site.position[i], partner.position[i]);
+        }
+        let distance_squared = S::length_squared(&r);
+        if distance_squared < Number::max(site.reach_squared, partner.reach_squared) {
+            let l = image_of(law, shown, &run.image.0).splat::<S>();
+            law.pair(&k, &l, &r, distance_squared, sums, &mut discarded);
+        }
+    }
+}
+
+/// The node of `l` as its image shows it.
+#[inline(always)]
+fn image_of<S: Scalar, const D: usize, W: Law<S, D>>(
+    law: &W,
+    node: &W::Node,
+    image: &[u8; D],
+) -> W::Node {
+    let mut node = *node;
+    for (axis, &seen) in image.iter().enumerate() {
+        if seen == code::LOWER_WALL || seen == code::UPPER_WALL {
+            node = law.reflected(&node, axis);
+        }
+    }
+    node
+}

@@ -55,7 +55,7 @@ pub struct Operands<'a, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>
     pub receivers: &'a Receivers<S, D, L>,
     /// What they show.
     pub k: &'a <W::Node as Fields<S>>::Of<Lanes<S, L>>,
-    /// Their candidates: stretches of [`List`].
+    /// Their candidates: stretches of [`List`](super::List).
     pub candidates: &'a [u32],
 }
 
@@ -113,7 +113,7 @@ fn shift_of<S: Scalar, const D: usize>(cells: &Cells<'_, S, D>, image: Image<D>)
     })
 }
 
-/// Fills `words` with one block of the stream of a [`List`]: the candidates in `runs` that any
+/// Fills `words` with one block of the stream of a [`List`](super::List): the candidates in `runs` that any
 /// receiver needs. Returns how many words it took.
 #[inline(always)]
 pub fn find<S: Scalar, const D: usize, const L: usize>(

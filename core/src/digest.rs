@@ -59,8 +59,8 @@ impl Digester {
 }
 
 impl<S: Scalar, const D: usize> Gas<'_, S, D> {
-    /// The digest of the state: position, velocity, energy, mass, ε, density, force and
-    /// power, each for all particles in id order.
+    /// The digest of the state: position, velocity, energy, mass, ε, density, force, power,
+    /// its slope and the factor of the viscosity, each for all particles in id order.
     pub fn digest(&self) -> Digest {
         let mut digester = Digester::new();
         digester.vectors(self.position);
@@ -71,6 +71,8 @@ impl<S: Scalar, const D: usize> Gas<'_, S, D> {
         digester.scalars(self.density);
         digester.vectors(self.force);
         digester.scalars(self.power);
+        digester.scalars(self.power_slope);
+        digester.scalars(self.viscosity_factor);
         digester.digest()
     }
 }

@@ -61,6 +61,11 @@ pub enum Error {
     },
     /// The domain or the reach is too large for squares of displacements in this format.
     Range,
+    /// A particle of a material that there is not.
+    Material {
+        /// Id of the particle.
+        particle: u32,
+    },
     /// A position beyond the domain by more than its length.
     Outside {
         /// Id of the particle.
@@ -148,6 +153,10 @@ impl fmt::Display for Error {
             Self::Range => f.write_str(
                 "the reach of the cut-off is too large for this number format: use more integer \
                  bits, or a smaller epsilon or eta",
+            ),
+            Self::Material { particle } => write!(
+                f,
+                "the material of particle {particle} is not in the list of materials"
             ),
             Self::Outside { particle } => write!(
                 f,

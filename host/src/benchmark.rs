@@ -6,7 +6,7 @@ use std::time::Instant;
 use motes_core::cutoff::CubicSpline;
 use motes_core::domain::{Axis, Domain};
 use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
-use motes_core::equation::gas::{GasDynamics, Particle, Width};
+use motes_core::equation::gas::{GasDynamics, Options, Particle, Width};
 use motes_core::error::Error;
 use motes_core::material::IdealGas;
 
@@ -138,11 +138,12 @@ fn steps<S: HostScalar, const D: usize>(
             alpha: S::ONE,
             beta: S::from_f64(2.0),
         }),
-        equation_of_state: IdealGas::new(1.4),
+        materials: &[IdealGas::new(1.4)],
+        options: Options::PLAIN,
         courant: S::from_f64(0.3),
         smallest_omega: S::from_f64(1.0 / 32.0),
     };
-    let mut arrays = GasArrays::new(jittered::<S, D>(case));
+    let mut arrays = GasArrays::new(jittered::<S, D>(case), &Options::PLAIN);
     let (mut gas, mut work) = arrays.parts();
     solver.prepare(engine, &mut gas, &mut work)?;
     let mut seconds = Vec::new();
@@ -183,6 +184,7 @@ pub fn jittered<S: HostScalar, const D: usize>(case: Case) -> Vec<Particle<S, D>
             mass: S::ONE,
             energy: S::from_f64(1.8),
             epsilon: S::from_f64(case.eta),
+            material: 0,
         }
     };
     (0..case.per_side.pow(D as u32))

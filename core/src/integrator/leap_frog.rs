@@ -11,7 +11,7 @@ use crate::material::EquationOfState;
 use crate::pairs::Engine;
 use crate::scalar::Scalar;
 
-impl<S, C, V, E, const D: usize> GasDynamics<S, C, V, E, D>
+impl<S, C, V, E, const D: usize> GasDynamics<'_, S, C, V, E, D>
 where
     S: Scalar,
     C: CutOff,

@@ -27,21 +27,24 @@ macro_rules! record {
         $(#[$doc:meta])*
         pub struct $name:ident<N, const D: usize> {
             $($(#[$field_doc:meta])* pub $field:ident: N,)*
-            $(; $($(#[$vector_doc:meta])* pub $vector:ident: [N; D],)*)?
+            $(; $($(#[$vector_doc:meta])* pub $vector:ident: [N; D],)*
+            $(; $($(#[$matrix_doc:meta])* pub $matrix:ident: [[N; D]; D],)*)?)?
         }
     ) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub struct $name<N, const D: usize> {
             $($(#[$field_doc])* pub $field: N,)*
-            $($($(#[$vector_doc])* pub $vector: [N; D],)*)?
+            $($($(#[$vector_doc])* pub $vector: [N; D],)*
+            $($($(#[$matrix_doc])* pub $matrix: [[N; D]; D],)*)?)?
         }
 
         impl<S: $crate::scalar::Scalar, const D: usize> $crate::pairs::Fields<S> for $name<S, D> {
             type Of<N: $crate::scalar::Number<Scalar = S>> = $name<N, D>;
             const ZERO: Self = Self {
                 $($field: S::ZERO,)*
-                $($($vector: [S::ZERO; D],)*)?
+                $($($vector: [S::ZERO; D],)*
+                $($($matrix: [[S::ZERO; D]; D],)*)?)?
             };
 
             #[inline(always)]
@@ -54,7 +57,16 @@ macro_rules! record {
                             vector[i] = N::splat(self.$vector[i]);
                         }
                         vector
-                    },)*)?
+                    },)*
+                    $($($matrix: {
+                        let mut matrix = [[N::zero(); D]; D];
+                        for i in 0..D {
+                            for j in 0..D {
+                                matrix[i][j] = N::splat(self.$matrix[i][j]);
+                            }
+                        }
+                        matrix
+                    },)*)?)?
                 }
             }
             #[inline(always)]
@@ -69,7 +81,12 @@ macro_rules! record {
                     $(of.$field.set_lane(i, record.$field);)*
                     $($(for j in 0..D {
                         of.$vector[j].set_lane(i, record.$vector[j]);
-                    })*)?
+                    })*
+                    $($(for j in 0..D {
+                        for m in 0..D {
+                            of.$matrix[j][m].set_lane(i, record.$matrix[j][m]);
+                        }
+                    })*)?)?
                 }
                 of
             }
@@ -83,7 +100,16 @@ macro_rules! record {
                             vector[j] = of.$vector[j].lane(i);
                         }
                         vector
-                    },)*)?
+                    },)*
+                    $($($matrix: {
+                        let mut matrix = [[S::ZERO; D]; D];
+                        for j in 0..D {
+                            for m in 0..D {
+                                matrix[j][m] = of.$matrix[j][m].lane(i);
+                            }
+                        }
+                        matrix
+                    },)*)?)?
                 }
             }
         }

@@ -154,6 +154,7 @@ impl<S: Scalar> Scalar for Checked<S> {
     const REACH_LIMIT: Self = Self::new(S::REACH_LIMIT);
     const CELL_LIMIT: u32 = S::CELL_LIMIT;
     const EXTRAPOLATION: Self = Self::new(S::EXTRAPOLATION);
+    const TINIEST: Self = Self::new(S::TINIEST);
 
     type Wide = Self;
     fn product(a: Self, b: Self) -> Self {

@@ -195,6 +195,7 @@ macro_rules! fixed_point {
             const REACH_LIMIT: Self = Self::from_bits(Self::LIMIT);
             const CELL_LIMIT: u32 = 1 << 30;
             const EXTRAPOLATION: Self = Self::from_bits(1 << (F::U32 - F::U32 / 2));
+            const TINIEST: Self = Self::from_bits(1);
 
             type Wide = $wide;
             #[inline(always)]

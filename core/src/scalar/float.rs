@@ -77,6 +77,7 @@ macro_rules! float {
             const REACH_LIMIT: Self = $reach;
             const CELL_LIMIT: u32 = $cells;
             const EXTRAPOLATION: Self = $extrapolation;
+            const TINIEST: Self = <$float>::MIN_POSITIVE;
 
             type Wide = Self;
             #[inline(always)]

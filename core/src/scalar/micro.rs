@@ -113,6 +113,7 @@ impl Scalar for Micro {
     const REACH_LIMIT: Self = Self(f32::REACH_LIMIT);
     const CELL_LIMIT: u32 = f32::CELL_LIMIT;
     const EXTRAPOLATION: Self = Self(f32::EXTRAPOLATION);
+    const TINIEST: Self = Self(f32::TINIEST);
 
     type Wide = Self;
     #[inline(always)]

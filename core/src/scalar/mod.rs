@@ -87,6 +87,8 @@ pub trait Scalar: Number<Scalar = Self> + PartialOrd + Debug + Send + Sync + 'st
     /// not made again: its cube is below the format's rounding, or near it, and its square
     /// (the error of Ω) far below the error of any resolution.
     const EXTRAPOLATION: Self;
+    /// The smallest positive number with all its digits: a divisor in place of 0.
+    const TINIEST: Self;
 
     /// What an exact product of two scalars is kept in: double width in fixed point.
     type Wide: Copy;

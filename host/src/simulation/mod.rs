@@ -1,13 +1,17 @@
 //! A run: the state in memory, the solver around it, what is measured of it.
 
 mod arrays;
+mod limits;
 mod outcome;
 mod plan;
+mod planning;
 mod run;
 mod scalars;
 
 pub use arrays::GasArrays;
+pub use limits::RunError;
 pub use outcome::{Drift, Lonely, Outcome, ParticleRow, Sample, Spread};
-pub use plan::{Plan, PlanError};
-pub use run::{Control, RunError};
+pub use plan::Plan;
+pub use planning::PlanError;
+pub use run::{Control, Look};
 pub use scalars::{ScalarName, UnknownScalar, run};

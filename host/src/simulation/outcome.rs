@@ -5,10 +5,10 @@ use motes_core::digest::Digest;
 /// One particle at the end of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ParticleRow {
-    /// Position.
-    pub position: f64,
-    /// Velocity.
-    pub velocity: f64,
+    /// Position; 0 beyond the dimension.
+    pub position: [f64; 3],
+    /// Velocity; 0 beyond the dimension.
+    pub velocity: [f64; 3],
     /// Mass.
     pub mass: f64,
     /// Density.
@@ -17,10 +17,25 @@ pub struct ParticleRow {
     pub pressure: f64,
     /// Internal energy per mass.
     pub energy: f64,
+    /// Sound speed.
+    pub sound_speed: f64,
+    /// `div u`.
+    pub divergence: f64,
+    /// Factor of the viscosity's α.
+    pub viscosity_factor: f64,
     /// Width of the cut-off.
     pub epsilon: f64,
     /// Partners within the support, without itself.
     pub neighbours: f64,
+    /// Number of the material.
+    pub material: u8,
+}
+
+impl ParticleRow {
+    /// `|u|`.
+    pub fn speed(&self) -> f64 {
+        self.velocity.iter().map(|u| u * u).sum::<f64>().sqrt()
+    }
 }
 
 /// Smallest, mean and largest of something.
@@ -69,12 +84,16 @@ pub struct Sample {
     /// Sum of masses.
     pub mass: f64,
     /// Sum of momenta.
-    pub momentum: f64,
-    /// Sum of internal and kinetic energies.
+    pub momentum: [f64; 3],
+    /// Sum of angular momenta about the origin.
+    pub angular_momentum: [f64; 3],
+    /// Sum of internal and kinetic energies, and of those in the external acceleration.
     pub energy: f64,
+    /// The kinetic part of it.
+    pub kinetic_energy: f64,
     /// Densities.
     pub density: Spread,
-    /// Velocities.
+    /// Speeds `|u|`; in one dimension velocities.
     pub velocity: Spread,
     /// Pressures.
     pub pressure: Spread,
@@ -87,8 +106,11 @@ pub struct Sample {
 pub struct Drift {
     /// Of mass, relative.
     pub mass: f64,
-    /// Of momentum, over total mass times the reference sound speed.
+    /// Of momentum, its length over total mass times the reference speed.
     pub momentum: f64,
+    /// Of angular momentum, over total mass times the reference speed times the size of the
+    /// domain.
+    pub angular_momentum: f64,
     /// Of energy, relative.
     pub energy: f64,
 }
@@ -113,6 +135,10 @@ pub struct Outcome {
     pub series: Vec<Sample>,
     /// Steps made.
     pub steps: u64,
+    /// The smallest time step; 0 without any.
+    pub smallest_step: f64,
+    /// The largest time step.
+    pub largest_step: f64,
     /// Time reached.
     pub time: f64,
     /// Wall-clock seconds of the stepping alone.

@@ -1,299 +1,182 @@
-//! From a scenario to what the solver needs, in solver units.
+//! What the solver needs of a run, in solver units, every number still an `f64`.
 
-use motes_core::cutoff::{CutOff, Named};
-use motes_core::domain::Side;
-use motes_core::equation::gas::{Stretch, Tube, Width};
+use motes_core::cutoff::Named;
+use motes_core::domain::{Axis, Domain};
+use motes_core::equation::gas::viscosity::{
+    Coefficients, GingoldMonaghan, Named as NamedViscosity, Pairwise, VonNeumann,
+};
+use motes_core::equation::gas::{
+    Diffusion, GasDynamics, Options, Particle, Stretch, Switch, Tube, Width,
+};
+use motes_core::material::{IdealGas, Isothermal, Named as NamedMaterial, StiffenedGas, Tait};
+use motes_core::scalar::Scalar;
 
-use crate::scenario::{self, CutOffShape, Material, Region, Scenario, Viscosity};
+use crate::scenario::{EquationOfState, Viscosity, ViscosityKind};
 use crate::units::SolverUnits;
 
-/// A one-dimensional gas run in solver units, every number still an `f64`.
+/// A gas run in solver units. Vectors have three components; those beyond the dimension mean
+/// nothing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
+    /// 1, 2 or 3.
+    pub dimension: usize,
     /// What the solver units are.
     pub units: SolverUnits,
     /// The middle of the domain, in the scenario's units: 0 for the solver.
-    pub middle: f64,
-    /// Half the length of the domain.
-    pub half_length: f64,
-    /// Its sides.
-    pub sides: [Side; 2],
+    pub middle: [f64; 3],
+    /// The domain.
+    pub axes: [Axis<f64>; 3],
     /// The gas at the start.
-    pub stretches: Vec<Stretch<f64>>,
-    /// Ratio of specific heats.
-    pub gamma: f64,
-    /// Width of the cut-off.
+    pub particles: Vec<Particle<f64, 3>>,
+    /// The stretches that the particles fill, where the run is one that a device can be given:
+    /// one ideal gas in one dimension.
+    pub stretches: Option<Vec<Stretch>>,
+    /// The materials, by number.
+    pub materials: Vec<EquationOfState>,
+    /// The cut-off.
+    pub cut_off: Named,
+    /// Its width.
     pub width: Width<f64>,
     /// Pseudo-viscosity.
     pub viscosity: Viscosity,
+    /// What goes beyond the paper's equations.
+    pub options: Options<f64, 3>,
     /// Duration.
     pub end: f64,
     /// Factor of the time step.
     pub courant: f64,
-    /// The cut-off.
-    pub cut_off: Named,
 }
 
-/// A scenario that cannot be planned.
-#[derive(Debug, thiserror::Error, miette::Diagnostic)]
-pub enum PlanError {
-    /// Only one dimension so far.
-    #[error("`{name}` has dimension {dimension}: `motes run` solves one-dimensional gases so far")]
-    #[diagnostic(help(
-        "set dimension = 1; `motes bench` exercises the engine in 2 and 3 dimensions"
-    ))]
-    Dimension {
-        /// The scenario.
-        name: String,
-        /// Its dimension.
-        dimension: usize,
-    },
-    /// A region that would get no particle.
-    #[error("region {region} would get no particle: it holds {share:.3} of one")]
-    #[diagnostic(help("use more particles (-n, resolution.particles), or remove the region"))]
-    EmptyRegion {
-        /// Its number, from 0.
-        region: usize,
-        /// Its share of the particles.
-        share: f64,
-    },
-    /// A cut-off that reaches too few or too many particles.
-    #[error(
-        "eta = {eta} makes the cut-off `{cut_off}` reach {reach} spacings: need {least} to {most}"
-    )]
-    #[diagnostic(help("set cut-off.eta between {} and {}", least / support, most / support))]
-    Reach {
-        /// Width in spacings.
-        eta: f64,
-        /// Name of the cut-off.
-        cut_off: &'static str,
-        /// Its support in units of its width.
-        support: f64,
-        /// Their product.
-        reach: f64,
-        /// The least that works.
-        least: f64,
-        /// The most that is allowed.
-        most: f64,
-    },
-    /// Numbers so large or small that the solver's units are not finite.
-    #[error("the unit of {unit} would be {value:e}")]
-    #[diagnostic(help("give the scenario in units in which its numbers are nearer to 1"))]
-    Extreme {
-        /// Which solver unit.
-        unit: &'static str,
-        /// What it would be.
-        value: f64,
-    },
-    /// More particles than ids.
-    #[error("{particles} particles are more than this build can number ({limit})")]
-    #[diagnostic(help("use fewer particles (-n, resolution.particles)"))]
-    TooMany {
-        /// How many were asked for.
-        particles: usize,
-        /// How many there can be.
-        limit: usize,
-    },
-}
-
-/// Ids, cells and words of neighbour lists are 32 bits wide; cells are up to four a particle.
-const LARGEST: usize = 1 << 29;
+/// The smallest Ω that a run accepts. Next to a jump of density it falls to about 0.4; at 0
+/// the density would not answer to ε at all.
+const SMALLEST_OMEGA: f64 = 1.0 / 32.0;
 
 impl Plan {
-    /// Plans a run.
-    ///
-    /// # Errors
-    /// Scenarios that are not one-dimensional, regions too small for one particle.
-    pub fn new(scenario: &Scenario) -> Result<Self, PlanError> {
-        if scenario.dimension != 1 {
-            let (name, dimension) = (scenario.name.clone(), scenario.dimension);
-            return Err(PlanError::Dimension { name, dimension });
-        }
-        let particles = scenario.resolution.particles;
-        if particles > LARGEST {
-            return Err(PlanError::TooMany {
-                particles,
-                limit: LARGEST,
-            });
-        }
-        let Material::IdealGas { gamma } = scenario.material;
-        let extent = &scenario.domain.extent;
-        let (lower, upper) = (extent.lower[0], extent.upper[0]);
-        let masses: Vec<f64> = scenario
-            .regions
-            .iter()
-            .map(|region| region.density * (region.extent.upper[0] - region.extent.lower[0]))
-            .collect();
-        let mass = masses.iter().sum::<f64>() / particles as f64;
-        let sound = |region: &Region| (gamma * region.pressure / region.density).sqrt();
-        let units = SolverUnits {
-            length: (upper - lower) / particles as f64,
-            mass,
-            velocity: scenario.regions.iter().map(sound).fold(0.0, f64::max),
-            dimension: 1,
-        };
-        check_units(&units)?;
-        check_reach(scenario)?;
-        let middle = 0.5 * (lower + upper);
-        let counts = apportion(&masses, particles)?;
-        let stretches = scenario.regions.iter().zip(counts).zip(&masses).map(
-            |((region, count), &region_mass)| Stretch {
-                lower: (region.extent.lower[0] - middle) / units.length,
-                upper: (region.extent.upper[0] - middle) / units.length,
-                particles: count,
-                mass: region_mass / f64::from(count) / units.mass,
-                velocity: region.velocity[0] / units.velocity,
-                energy: region.pressure / region.density / (gamma - 1.0) / units.energy(),
-            },
-        );
-        Ok(Self {
-            units,
-            middle,
-            half_length: 0.5 * (upper - lower) / units.length,
-            sides: scenario.domain.sides[0].map(|side| match side {
-                scenario::Side::Free => Side::Free,
-                scenario::Side::Periodic => Side::Periodic,
-                scenario::Side::Mirror => Side::Mirror,
-            }),
-            stretches: stretches.collect(),
-            gamma,
-            width: match scenario.cut_off.width {
-                scenario::Width::Adaptive { eta } => Width::Adaptive { eta },
-                scenario::Width::Constant { epsilon } => Width::Constant {
-                    epsilon: epsilon / units.length,
+    /// The solver, in the scalar of the run.
+    pub fn solver<'m, S: Scalar, C, V, const D: usize>(
+        &self,
+        cut_off: C,
+        viscosity: V,
+        materials: &'m [NamedMaterial<S>],
+    ) -> GasDynamics<'m, S, C, V, NamedMaterial<S>, D> {
+        GasDynamics {
+            domain: self.domain(),
+            cut_off,
+            width: match self.width {
+                Width::Constant { epsilon } => Width::Constant {
+                    epsilon: S::from_f64(epsilon),
+                },
+                Width::Adaptive { eta } => Width::Adaptive {
+                    eta: S::from_f64(eta),
                 },
             },
-            viscosity: scenario.viscosity,
-            end: scenario.time.end / units.time(),
-            courant: scenario.time.courant,
-            cut_off: named(scenario.cut_off.shape),
+            viscosity,
+            materials,
+            options: self.options(),
+            courant: S::from_f64(self.courant),
+            smallest_omega: S::from_f64(SMALLEST_OMEGA),
+        }
+    }
+
+    fn domain<S: Scalar, const D: usize>(&self) -> Domain<S, D> {
+        Domain {
+            axes: std::array::from_fn(|i| Axis {
+                lower: S::from_f64(self.axes[i].lower),
+                upper: S::from_f64(self.axes[i].upper),
+                sides: self.axes[i].sides,
+            }),
+        }
+    }
+
+    /// The options, in the scalar of the run.
+    pub fn options<S: Scalar, const D: usize>(&self) -> Options<S, D> {
+        let options = &self.options;
+        Options {
+            weights: options.weights,
+            energy: options.energy,
+            acceleration: std::array::from_fn(|i| S::from_f64(options.acceleration[i])),
+            limited: options.limited,
+            switch: options.switch.map(|switch| Switch {
+                minimum: S::from_f64(switch.minimum),
+                decay: S::from_f64(switch.decay),
+            }),
+            balsara: options.balsara,
+            conduction: S::from_f64(options.conduction),
+            diffusion: Diffusion {
+                viscosity: S::from_f64(options.diffusion.viscosity),
+                heat: S::from_f64(options.diffusion.heat),
+            },
+        }
+    }
+
+    /// The materials, in the scalar of the run.
+    pub fn materials<S: Scalar>(&self) -> Vec<NamedMaterial<S>> {
+        let material = |law: &EquationOfState| match *law {
+            EquationOfState::IdealGas { gamma } => NamedMaterial::IdealGas(IdealGas::new(gamma)),
+            EquationOfState::StiffenedGas {
+                gamma,
+                pressure_at_infinity,
+            } => NamedMaterial::StiffenedGas(StiffenedGas::new(gamma, pressure_at_infinity)),
+            EquationOfState::Isothermal { sound_speed } => {
+                NamedMaterial::Isothermal(Isothermal::new(sound_speed))
+            }
+            EquationOfState::Tait {
+                density,
+                sound_speed,
+                exponent,
+            } => NamedMaterial::Tait(Tait::new(density, sound_speed, exponent)),
+        };
+        self.materials.iter().map(material).collect()
+    }
+
+    /// The viscosity, in the scalar of the run.
+    pub fn viscosity<S: Scalar>(&self) -> NamedViscosity<S> {
+        let coefficients = Coefficients {
+            alpha: S::from_f64(self.viscosity.alpha),
+            beta: S::from_f64(self.viscosity.beta),
+        };
+        match self.viscosity.kind {
+            ViscosityKind::Pairwise | ViscosityKind::Limited => {
+                NamedViscosity::Pairwise(Pairwise(coefficients))
+            }
+            ViscosityKind::GingoldMonaghan => {
+                NamedViscosity::GingoldMonaghan(GingoldMonaghan(coefficients))
+            }
+            ViscosityKind::VonNeumann => NamedViscosity::VonNeumann(VonNeumann(coefficients)),
+            ViscosityKind::None => NamedViscosity::Inviscid,
+        }
+    }
+
+    /// The particles, in the scalar and dimension of the run.
+    pub fn particles<S: Scalar, const D: usize>(&self) -> impl Iterator<Item = Particle<S, D>> {
+        let flat = |vector: &[f64; 3]| std::array::from_fn(|i| vector[i]);
+        self.particles.iter().map(move |particle| {
+            let particle = Particle::<f64, D> {
+                position: flat(&particle.position),
+                velocity: flat(&particle.velocity),
+                mass: particle.mass,
+                energy: particle.energy,
+                epsilon: particle.epsilon,
+                material: particle.material,
+            };
+            particle.rounded()
         })
     }
 
-    /// The tube that the core runs.
-    pub fn tube(&self) -> Tube<'_> {
-        Tube {
-            half_length: self.half_length,
-            sides: self.sides,
-            stretches: &self.stretches,
-            gamma: self.gamma,
+    /// The tube that a device can be given, where the run is one.
+    pub fn tube(&self) -> Option<Tube<'_>> {
+        let stretches = self.stretches.as_deref()?;
+        let [EquationOfState::IdealGas { gamma }] = self.materials[..] else {
+            return None;
+        };
+        (self.options == Options::PLAIN).then_some(Tube {
+            half_length: self.axes[0].upper,
+            sides: self.axes[0].sides,
+            stretches,
+            gamma,
             width: self.width,
             courant: self.courant,
             end: self.end,
-        }
-    }
-
-    /// Number of particles.
-    pub fn particles(&self) -> usize {
-        self.stretches
-            .iter()
-            .map(|stretch| stretch.particles as usize)
-            .sum()
-    }
-}
-
-/// Reaches in spacings between which a density sum makes sense: one neighbour on either side
-/// with room to move, and no more than a solver wants to look at.
-const REACH: [f64; 2] = [1.5, 40.0];
-
-/// Refuses an η with which particles would see nobody, or everybody.
-fn check_reach(scenario: &Scenario) -> Result<(), PlanError> {
-    let scenario::Width::Adaptive { eta } = scenario.cut_off.width else {
-        return Ok(());
-    };
-    let cut_off = named(scenario.cut_off.shape);
-    let support = f64::from(cut_off.support());
-    let ([least, most], reach) = (REACH, eta * support);
-    if (least..=most).contains(&reach) {
-        return Ok(());
-    }
-    Err(PlanError::Reach {
-        eta,
-        cut_off: cut_off.name(),
-        support,
-        reach,
-        least,
-        most,
-    })
-}
-
-/// Refuses units that `f64` cannot hold with room around them.
-fn check_units(units: &SolverUnits) -> Result<(), PlanError> {
-    let sizes = [
-        ("length", units.length),
-        ("mass", units.mass),
-        ("velocity", units.velocity),
-        ("time", units.time()),
-        ("energy", units.energy()),
-    ];
-    match sizes
-        .into_iter()
-        .find(|(_, value)| !(1e-200..1e200).contains(value))
-    {
-        Some((unit, value)) => Err(PlanError::Extreme { unit, value }),
-        None => Ok(()),
-    }
-}
-
-/// The core's cut-off of that shape.
-fn named(shape: CutOffShape) -> Named {
-    match shape {
-        CutOffShape::CubicSpline => Named::CubicSpline,
-        CutOffShape::QuinticSpline => Named::QuinticSpline,
-        CutOffShape::WendlandC2 => Named::WendlandC2,
-        CutOffShape::WendlandC4 => Named::WendlandC4,
-        CutOffShape::WendlandC6 => Named::WendlandC6,
-        CutOffShape::RootFree => Named::RootFree,
-    }
-}
-
-/// Shares `particles` out in proportion to the masses, the largest remainders first, so that
-/// their sum is exact.
-fn apportion(masses: &[f64], particles: usize) -> Result<Vec<u32>, PlanError> {
-    let total: f64 = masses.iter().sum();
-    let shares: Vec<f64> = masses
-        .iter()
-        .map(|mass| mass / total * particles as f64)
-        .collect();
-    // A share a rounding below a whole number is that number.
-    let mut counts: Vec<u32> = shares
-        .iter()
-        .map(|share| (share + 1e-9).floor() as u32)
-        .collect();
-    let mut order: Vec<usize> = (0..masses.len()).collect();
-    let remainder = |i: usize| shares[i] - f64::from(counts[i]);
-    order.sort_by(|&a, &b| remainder(b).total_cmp(&remainder(a)));
-    let missing = particles.saturating_sub(counts.iter().map(|&count| count as usize).sum());
-    for &region in order.iter().cycle().take(missing) {
-        counts[region] += 1;
-    }
-    match counts.iter().position(|&count| count == 0) {
-        Some(region) => Err(PlanError::EmptyRegion {
-            region,
-            share: shares[region],
-        }),
-        None => Ok(counts),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn particles_are_shared_out_by_mass_and_none_is_lost() {
-        assert_eq!(apportion(&[1.0, 0.125], 900).unwrap(), [800, 100]);
-        assert_eq!(apportion(&[1.0, 0.125], 225).unwrap(), [200, 25]);
-        assert_eq!(
-            apportion(&[1.0, 1.0, 1.0], 100)
-                .unwrap()
-                .iter()
-                .sum::<u32>(),
-            100
-        );
-        assert!(matches!(
-            apportion(&[1.0, 1e-6], 100),
-            Err(PlanError::EmptyRegion { region: 1, .. })
-        ));
+        })
     }
 }

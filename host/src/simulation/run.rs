@@ -3,16 +3,27 @@
 use std::time::Instant;
 
 use motes_core::cutoff::CutOff;
-use motes_core::equation::gas::{Gas, GasDynamics, Viscosity, Width};
+use motes_core::equation::gas::{Gas, GasDynamics, Viscosity};
 use motes_core::error::Error;
 use motes_core::integrator::Clock;
-use motes_core::material::{EquationOfState, IdealGas};
+use motes_core::material::{EquationOfState, Named as NamedMaterial};
 use motes_core::scalar::Scalar;
 
 use super::arrays::GasArrays;
+use super::limits::{RunError, check_format, check_memory};
 use super::outcome::{Drift, Lonely, Outcome, ParticleRow, Sample, Spread};
 use super::plan::Plan;
 use crate::engine::{HostScalar, Threads};
+
+/// A look at a run between two steps.
+pub struct Look<'a> {
+    /// Time.
+    pub time: f64,
+    /// Steps made.
+    pub steps: u64,
+    /// The particles, in id order; made when asked for.
+    pub particles: &'a dyn Fn() -> Vec<ParticleRow>,
+}
 
 /// What a run tells its caller, and hears from it, between steps.
 pub struct Control<'a> {
@@ -20,73 +31,19 @@ pub struct Control<'a> {
     pub samples: usize,
     /// Called with the part of the run that is done, in [0, 1]; `false` stops the run.
     pub progress: &'a mut dyn FnMut(f64) -> bool,
-}
-
-/// A run that did not reach its end.
-#[derive(Debug, thiserror::Error, miette::Diagnostic)]
-pub enum RunError {
-    /// The solver stopped.
-    #[error("at t = {time}, step {step}: {error}")]
-    Solver {
-        /// When, in the scenario's units.
-        time: f64,
-        /// In which step.
-        step: u64,
-        /// Why.
-        error: Error,
-    },
-    /// A number of the plan does not fit the scalar.
-    #[error("{what} is {value:.3e} in solver units, which `{scalar}` cannot hold to 1 %")]
-    #[diagnostic(help(
-        "{}",
-        if value.abs() > 1.0 {
-            "use a format with more integer bits, or fewer particles: lengths are counted in \
-             particle spacings"
-        } else {
-            "use a format with more fractional bits: masses, velocities and energies are \
-             counted in those of the first state"
-        }
-    ))]
-    Format {
-        /// Which number.
-        what: &'static str,
-        /// How large it is.
-        value: f64,
-        /// The scalar.
-        scalar: String,
-    },
-    /// The caller asked for it.
-    #[error("interrupted at t = {time}, after {step} steps: no results were written")]
-    Interrupted {
-        /// When.
-        time: f64,
-        /// After how many steps.
-        step: u64,
-    },
-    /// Not enough memory.
-    #[error(
-        "{particles} particles need about {needed:.1} GiB, this machine has {available:.1} GiB free"
-    )]
-    #[diagnostic(help("use fewer particles (-n, resolution.particles)"))]
-    Memory {
-        /// How many.
-        particles: usize,
-        /// GiB that they take.
-        needed: f64,
-        /// GiB that there are.
-        available: f64,
-    },
+    /// Called at the start and after each step. Looking changes no bit.
+    pub look: &'a mut dyn FnMut(&Look<'_>) -> Result<(), String>,
 }
 
 /// A plan in the scalar of the run.
-struct Run<'a, S: Scalar, C, V> {
+struct Run<'a, 'm, S: Scalar, C, V, const D: usize> {
     plan: &'a Plan,
-    solver: GasDynamics<S, C, V, IdealGas<S>, 1>,
+    solver: GasDynamics<'m, S, C, V, NamedMaterial<S>, D>,
     clock: Clock<S>,
 }
 
 /// Runs a plan with one scalar, cut-off and viscosity.
-pub(super) fn run_with<S: HostScalar, C: CutOff, V: Viscosity<S>>(
+pub(super) fn run_with<S: HostScalar, C: CutOff, V: Viscosity<S>, const D: usize>(
     plan: &Plan,
     scalar: &str,
     cut_off: C,
@@ -94,21 +51,24 @@ pub(super) fn run_with<S: HostScalar, C: CutOff, V: Viscosity<S>>(
     engine: &mut Threads,
     control: &mut Control<'_>,
 ) -> Result<Outcome, RunError> {
-    check_memory(plan.particles(), GasArrays::<S, 1>::BYTES_PER_PARTICLE)?;
+    let options = plan.options::<S, D>();
+    let bytes = GasArrays::<S, D>::bytes_per_particle(&options);
+    check_memory(plan.particles.len(), bytes)?;
     check_format::<S>(plan, scalar)?;
-    let tube = plan.tube();
+    let materials = plan.materials();
     let run = Run {
         plan,
-        solver: tube.solver(cut_off, viscosity),
-        clock: Clock::new(tube.duration()),
+        solver: plan.solver(cut_off, viscosity, &materials),
+        clock: Clock::new(S::from_f64(plan.end)),
     };
-    run.complete(GasArrays::new(tube.particles()), engine, control)
+    let arrays = GasArrays::new(plan.particles(), &options);
+    run.complete(arrays, engine, control)
 }
 
-impl<S: HostScalar, C: CutOff, V: Viscosity<S>> Run<'_, S, C, V> {
+impl<S: HostScalar, C: CutOff, V: Viscosity<S>, const D: usize> Run<'_, '_, S, C, V, D> {
     fn complete(
         mut self,
-        mut arrays: GasArrays<S, 1>,
+        mut arrays: GasArrays<S, D>,
         engine: &mut Threads,
         control: &mut Control<'_>,
     ) -> Result<Outcome, RunError> {
@@ -120,6 +80,8 @@ impl<S: HostScalar, C: CutOff, V: Viscosity<S>> Run<'_, S, C, V> {
         let first = self.sample(&gas, S::ZERO);
         let (mut series, mut sampled) = (vec![first], 0.0);
         let mut lonely = self.watch(&gas, None);
+        let (mut smallest, mut largest) = (f64::INFINITY, 0.0f64);
+        self.show(&gas, control)?;
         while let Some(left) = self.clock.left() {
             let dt = self
                 .solver
@@ -129,6 +91,11 @@ impl<S: HostScalar, C: CutOff, V: Viscosity<S>> Run<'_, S, C, V> {
                 .advance(engine, &mut gas, &mut work, dt)
                 .map_err(|error| self.failed(error))?;
             self.clock.tick(dt).map_err(|error| self.failed(error))?;
+            let step = dt.to_f64() * self.plan.units.time();
+            // The last step is as long as what is left.
+            if dt < left || largest == 0.0 {
+                (smallest, largest) = (smallest.min(step), largest.max(step));
+            }
             lonely = self.watch(&gas, lonely);
             let done = self.clock.time.to_f64() / self.clock.end.to_f64();
             let due = (done * control.samples as f64).floor();
@@ -136,6 +103,7 @@ impl<S: HostScalar, C: CutOff, V: Viscosity<S>> Run<'_, S, C, V> {
                 sampled = due;
                 series.push(self.sample(&gas, dt));
             }
+            self.show(&gas, control)?;
             if !(control.progress)(done) {
                 let (time, step) = (self.time(), self.clock.steps);
                 return Err(RunError::Interrupted { time, step });
@@ -143,19 +111,16 @@ impl<S: HostScalar, C: CutOff, V: Viscosity<S>> Run<'_, S, C, V> {
         }
         let seconds = started.elapsed().as_secs_f64();
         let last = self.sample(&gas, S::ZERO);
-        let reference = first.mass * self.plan.units.velocity;
         Ok(Outcome {
-            particles: (0..gas.len()).map(|id| self.row(&gas, id)).collect(),
+            particles: self.rows(&gas),
+            drift: self.drift(&first, &last),
             series,
             steps: self.clock.steps,
+            smallest_step: if smallest.is_finite() { smallest } else { 0.0 },
+            largest_step: largest,
             time: self.time(),
             seconds,
             digest: gas.digest(),
-            drift: Drift {
-                mass: (last.mass - first.mass) / first.mass,
-                momentum: (last.momentum - first.momentum) / reference,
-                energy: (last.energy - first.energy) / first.energy,
-            },
             lonely,
         })
     }
@@ -172,9 +137,21 @@ impl<S: HostScalar, C: CutOff, V: Viscosity<S>> Run<'_, S, C, V> {
         }
     }
 
+    fn show(&self, gas: &Gas<'_, S, D>, control: &mut Control<'_>) -> Result<(), RunError> {
+        let look = Look {
+            time: self.time(),
+            steps: self.clock.steps,
+            particles: &|| self.rows(gas),
+        };
+        (control.look)(&look).map_err(|reason| RunError::Look {
+            time: look.time,
+            reason,
+        })
+    }
+
     /// The first particle with fewer than two neighbours: its density no longer feels the
     /// spacing, and waves move at wrong speeds.
-    fn watch(&self, gas: &Gas<'_, S, 1>, seen: Option<Lonely>) -> Option<Lonely> {
+    fn watch(&self, gas: &Gas<'_, S, D>, seen: Option<Lonely>) -> Option<Lonely> {
         seen.or_else(|| {
             let two = S::count(2);
             let particle = gas
@@ -190,98 +167,93 @@ impl<S: HostScalar, C: CutOff, V: Viscosity<S>> Run<'_, S, C, V> {
         })
     }
 
+    /// The particles in the scenario's units, in id order.
+    fn rows(&self, gas: &Gas<'_, S, D>) -> Vec<ParticleRow> {
+        (0..gas.len()).map(|id| self.row(gas, id)).collect()
+    }
+
     /// One particle in the scenario's units.
-    fn row(&self, gas: &Gas<'_, S, 1>, id: usize) -> ParticleRow {
+    fn row(&self, gas: &Gas<'_, S, D>, id: usize) -> ParticleRow {
         let units = &self.plan.units;
         let (density, energy) = (gas.density[id], gas.energy[id]);
-        let pressure = self.solver.equation_of_state.pressure(density, energy);
-        ParticleRow {
-            position: self.plan.middle + gas.position[id][0].to_f64() * units.length,
-            velocity: gas.velocity[id][0].to_f64() * units.velocity,
+        let material = gas.material[id];
+        let law = &self.solver.materials[usize::from(material)];
+        let pressure = law.pressure(density, energy);
+        let mut row = ParticleRow {
+            position: [0.0; 3],
+            velocity: [0.0; 3],
             mass: gas.mass[id].to_f64() * units.mass,
             density: density.to_f64() * units.density(),
             pressure: pressure.to_f64() * units.density() * units.energy(),
             energy: energy.to_f64() * units.energy(),
+            sound_speed: law.sound_speed(density, energy).to_f64() * units.velocity,
+            divergence: gas.divergence[id].to_f64() / units.time(),
+            viscosity_factor: gas.viscosity_factor[id].to_f64(),
             epsilon: gas.epsilon[id].to_f64() * units.length,
             neighbours: gas.neighbours[id].to_f64(),
+            material,
+        };
+        for i in 0..D {
+            let place = gas.position[id][i].to_f64() * units.length;
+            row.position[i] = self.plan.middle[i] + place;
+            row.velocity[i] = gas.velocity[id][i].to_f64() * units.velocity;
         }
+        row
     }
 
     /// One row of the time series.
-    fn sample(&self, gas: &Gas<'_, S, 1>, dt: S) -> Sample {
-        let rows: Vec<ParticleRow> = (0..gas.len()).map(|id| self.row(gas, id)).collect();
-        let sum = |of: fn(&ParticleRow) -> f64| rows.iter().map(of).sum::<f64>();
+    fn sample(&self, gas: &Gas<'_, S, D>, dt: S) -> Sample {
+        let rows = self.rows(gas);
+        let sum = |of: &dyn Fn(&ParticleRow) -> f64| rows.iter().map(of).sum::<f64>();
+        let pull = self.external();
+        let kinetic = |p: &ParticleRow| 0.5 * p.mass * p.speed() * p.speed();
+        let lift = |p: &ParticleRow| -> f64 {
+            let along: f64 = p.position.iter().zip(&pull).map(|(x, g)| x * g).sum();
+            p.mass * along
+        };
+        let turn = |i: usize| {
+            let (a, b) = ((i + 1) % 3, (i + 2) % 3);
+            sum(&|p| {
+                p.mass * (p.position[a] * p.velocity[b] - p.position[b] * p.velocity[a])
+            })
+        };
+        let speed = |p: &ParticleRow| if D == 1 { p.velocity[0] } else { p.speed() };
         Sample {
             time: self.time(),
             steps: self.clock.steps,
             time_step: dt.to_f64() * self.plan.units.time(),
-            mass: sum(|p| p.mass),
-            momentum: sum(|p| p.mass * p.velocity),
-            energy: sum(|p| p.mass * (p.energy + 0.5 * p.velocity * p.velocity)),
+            mass: sum(&|p| p.mass),
+            momentum: std::array::from_fn(|i| sum(&|p| p.mass * p.velocity[i])),
+            angular_momentum: std::array::from_fn(turn),
+            energy: sum(&|p| p.mass * p.energy + kinetic(p) - lift(p)),
+            kinetic_energy: sum(&kinetic),
             density: Spread::of(rows.iter().map(|p| p.density)),
-            velocity: Spread::of(rows.iter().map(|p| p.velocity)),
+            velocity: Spread::of(rows.iter().map(speed)),
             pressure: Spread::of(rows.iter().map(|p| p.pressure)),
             neighbours: Spread::of(rows.iter().map(|p| p.neighbours)),
         }
     }
-}
 
-/// Refuses a plan with a number that the format cannot hold to 1 %.
-fn check_format<S: Scalar>(plan: &Plan, scalar: &str) -> Result<(), RunError> {
-    let width = match plan.width {
-        Width::Adaptive { eta } => ("eta", eta),
-        Width::Constant { epsilon } => ("epsilon", epsilon),
-    };
-    let mut numbers = vec![
-        width,
-        ("the length of the domain", 2.0 * plan.half_length),
-        ("the duration", plan.end),
-        ("courant", plan.courant),
-        ("the number of particles", plan.particles() as f64),
-    ];
-    for stretch in &plan.stretches {
-        numbers.extend([
-            ("the mass of a particle", stretch.mass),
-            ("a velocity", stretch.velocity),
-            ("an internal energy", stretch.energy),
-        ]);
+    /// The external acceleration in the scenario's units.
+    fn external(&self) -> [f64; 3] {
+        let unit = self.plan.units.velocity / self.plan.units.time();
+        self.plan.options.acceleration.map(|component| component * unit)
     }
-    for (what, value) in numbers {
-        if !((S::from_f64(value).to_f64() - value).abs() <= 0.01 * value.abs()) {
-            return Err(RunError::Format {
-                what,
-                value,
-                scalar: scalar.to_owned(),
-            });
+
+    fn drift(&self, first: &Sample, last: &Sample) -> Drift {
+        let units = &self.plan.units;
+        let distance = |a: &[f64; 3], b: &[f64; 3]| -> f64 {
+            let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
+            squares.sum::<f64>().sqrt()
+        };
+        let momentum = first.mass * units.velocity;
+        let size = (self.plan.axes[0].upper - self.plan.axes[0].lower) * units.length;
+        Drift {
+            mass: (last.mass - first.mass) / first.mass,
+            momentum: distance(&last.momentum, &first.momentum) / momentum,
+            angular_momentum: distance(&last.angular_momentum, &first.angular_momentum)
+                / (momentum * size),
+            energy: (last.energy - first.energy) / first.energy,
         }
     }
-    Ok(())
-}
-
-/// Refuses a run that would not fit into memory, where the system says how much there is.
-fn check_memory(particles: usize, bytes_each: usize) -> Result<(), RunError> {
-    let Some(available) = available_bytes() else {
-        return Ok(());
-    };
-    // The results are held once more, as rows of f64.
-    let needed = particles as f64 * (bytes_each + 2 * size_of::<ParticleRow>()) as f64;
-    if needed <= available {
-        return Ok(());
-    }
-    let gib = f64::from(1 << 30);
-    Err(RunError::Memory {
-        particles,
-        needed: needed / gib,
-        available: available / gib,
-    })
-}
-
-/// Free memory as Linux tells it.
-fn available_bytes() -> Option<f64> {
-    let text = std::fs::read_to_string("/proc/meminfo").ok()?;
-    let line = text
-        .lines()
-        .find_map(|line| line.strip_prefix("MemAvailable:"))?;
-    let kibibytes: f64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
-    Some(kibibytes * 1024.0)
 }

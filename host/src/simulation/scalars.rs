@@ -1,62 +1,69 @@
 //! From the name of a scalar to the code that runs with it.
 
+#[cfg(feature = "every-scalar")]
 use fixed::types::extra::{U12, U16, U18, U19, U20, U22, U32, U40, U48};
-use motes_core::cutoff::{CubicSpline, Named as NamedCutOff};
-use motes_core::equation::gas::viscosity::{
-    Coefficients, GingoldMonaghan, Named as NamedViscosity, Pairwise, VonNeumann,
-};
+use motes_core::cutoff::{CubicSpline, Named as NamedCutOff, WendlandC2};
+use motes_core::equation::gas::viscosity::Named as NamedViscosity;
+use motes_core::scalar::Scalar;
+#[cfg(feature = "every-scalar")]
 use motes_core::scalar::{Checked, Micro, Q32, Q64};
 
+use super::limits::RunError;
 use super::outcome::Outcome;
 use super::plan::Plan;
-use super::run::{Control, RunError, run_with};
+use super::run::{Control, run_with};
 use crate::engine::{HostScalar, Threads};
-use crate::scenario::ViscosityKind;
 
 macro_rules! scalars {
-    ($($variant:ident, $name:literal, $what:literal, $type:ty;)*) => {
+    ($($(#[$only:meta])? $variant:ident, $name:literal, $what:literal, $run:expr;)*) => {
         /// A scalar that runs can be made with.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum ScalarName {
-            $(#[doc = $what] $variant,)*
+            $($(#[$only])? #[doc = $what] $variant,)*
         }
 
         impl ScalarName {
             /// All of them, with what they are.
             pub const ALL: &'static [(Self, &'static str, &'static str)] =
-                &[$((Self::$variant, $name, $what),)*];
+                &[$($(#[$only])? (Self::$variant, $name, $what),)*];
 
-            /// Runs `plan` with this scalar; `checked` marks overflow and stops at the first.
-            fn run(
-                self,
-                plan: &Plan,
-                checked: bool,
-                engine: &mut Threads,
-                control: &mut Control<'_>,
-            ) -> Result<Outcome, RunError> {
+            /// How runs are made with it.
+            fn runner(self) -> Runner {
                 match self {
-                    $(Self::$variant if checked => {
-                        run_named::<Checked<$type>>(plan, $name, engine, control)
-                    })*
-                    $(Self::$variant => run_as::<$type>(plan, $name, engine, control),)*
+                    $($(#[$only])? Self::$variant => $run,)*
                 }
             }
         }
     };
 }
+
+/// Runs a plan with one scalar; `true` marks overflow and stops at the first.
+type Runner =
+    fn(&Plan, &str, bool, &mut Threads, &mut Control<'_>) -> Result<Outcome, RunError>;
+
 scalars! {
-    F64, "f64", "IEEE double precision", f64;
-    F32, "f32", "IEEE single precision", f32;
-    Micromath, "micromath", "f32 with approximate square roots", Micro;
-    Q9p22, "q9.22", "32-bit fixed point, 22 fractional bits", Q32<U22>;
-    Q11p20, "q11.20", "32-bit fixed point, 20 fractional bits", Q32<U20>;
-    Q12p19, "q12.19", "32-bit fixed point, 19 fractional bits", Q32<U19>;
-    Q13p18, "q13.18", "32-bit fixed point, 18 fractional bits", Q32<U18>;
-    Q15p16, "q15.16", "32-bit fixed point, 16 fractional bits", Q32<U16>;
-    Q19p12, "q19.12", "32-bit fixed point, 12 fractional bits", Q32<U12>;
-    Q15p48, "q15.48", "64-bit fixed point, 48 fractional bits", Q64<U48>;
-    Q23p40, "q23.40", "64-bit fixed point, 40 fractional bits", Q64<U40>;
-    Q31p32, "q31.32", "64-bit fixed point, 32 fractional bits", Q64<U32>;
+    F64, "f64", "IEEE double precision", in_floats::<f64>;
+    F32, "f32", "IEEE single precision", in_floats::<f32>;
+    #[cfg(feature = "every-scalar")]
+    Micromath, "micromath", "f32 with approximate square roots", in_dimensions::<Micro>;
+    #[cfg(feature = "every-scalar")]
+    Q9p22, "q9.22", "32-bit fixed point, 22 fractional bits", in_fixed_point::<Q32<U22>>;
+    #[cfg(feature = "every-scalar")]
+    Q11p20, "q11.20", "32-bit fixed point, 20 fractional bits", in_fixed_point::<Q32<U20>>;
+    #[cfg(feature = "every-scalar")]
+    Q12p19, "q12.19", "32-bit fixed point, 19 fractional bits", in_fixed_point::<Q32<U19>>;
+    #[cfg(feature = "every-scalar")]
+    Q13p18, "q13.18", "32-bit fixed point, 18 fractional bits", in_fixed_point::<Q32<U18>>;
+    #[cfg(feature = "every-scalar")]
+    Q15p16, "q15.16", "32-bit fixed point, 16 fractional bits", in_fixed_point::<Q32<U16>>;
+    #[cfg(feature = "every-scalar")]
+    Q19p12, "q19.12", "32-bit fixed point, 12 fractional bits", in_fixed_point::<Q32<U12>>;
+    #[cfg(feature = "every-scalar")]
+    Q15p48, "q15.48", "64-bit fixed point, 48 fractional bits", in_fixed_point::<Q64<U48>>;
+    #[cfg(feature = "every-scalar")]
+    Q23p40, "q23.40", "64-bit fixed point, 40 fractional bits", in_fixed_point::<Q64<U40>>;
+    #[cfg(feature = "every-scalar")]
+    Q31p32, "q31.32", "64-bit fixed point, 32 fractional bits", in_fixed_point::<Q64<U32>>;
 }
 
 /// A name that no scalar has.
@@ -105,52 +112,65 @@ pub fn run(
     engine: &mut Threads,
     control: &mut Control<'_>,
 ) -> Result<Outcome, RunError> {
-    scalar.run(plan, checked, engine, control)
+    (scalar.runner())(plan, scalar.name(), checked, engine, control)
 }
 
-/// The default cut-off and viscosity are compiled together, the others are looked up for
-/// each pair: the same bits, slower.
-fn run_as<S: HostScalar>(
+/// The default cut-off of each dimension and the default viscosity are compiled together, the
+/// others are looked up for each pair: the same bits, slower.
+fn in_floats<S: HostScalar>(
     plan: &Plan,
     name: &str,
+    checked: bool,
     engine: &mut Threads,
     control: &mut Control<'_>,
 ) -> Result<Outcome, RunError> {
-    match (plan.cut_off, viscosity::<S>(plan)) {
-        (NamedCutOff::CubicSpline, NamedViscosity::Pairwise(viscosity)) => {
-            run_with(plan, name, CubicSpline, viscosity, engine, control)
+    let NamedViscosity::Pairwise(viscosity) = plan.viscosity::<S>() else {
+        return in_dimensions::<S>(plan, name, checked, engine, control);
+    };
+    match (plan.cut_off, plan.dimension) {
+        (NamedCutOff::CubicSpline, 1) => {
+            run_with::<S, _, _, 1>(plan, name, CubicSpline, viscosity, engine, control)
         }
-        _ => run_named::<S>(plan, name, engine, control),
+        (NamedCutOff::WendlandC2, 2) => {
+            run_with::<S, _, _, 2>(plan, name, WendlandC2, viscosity, engine, control)
+        }
+        (NamedCutOff::WendlandC2, 3) => {
+            run_with::<S, _, _, 3>(plan, name, WendlandC2, viscosity, engine, control)
+        }
+        _ => in_dimensions::<S>(plan, name, checked, engine, control),
     }
 }
 
-fn run_named<S: HostScalar>(
+#[cfg(feature = "every-scalar")]
+fn in_fixed_point<S: Scalar>(
     plan: &Plan,
     name: &str,
+    checked: bool,
+    engine: &mut Threads,
+    control: &mut Control<'_>,
+) -> Result<Outcome, RunError>
+where
+    S: HostScalar,
+    Checked<S>: HostScalar,
+{
+    if checked {
+        in_dimensions::<Checked<S>>(plan, name, checked, engine, control)
+    } else {
+        in_dimensions::<S>(plan, name, checked, engine, control)
+    }
+}
+
+fn in_dimensions<S: HostScalar>(
+    plan: &Plan,
+    name: &str,
+    _: bool,
     engine: &mut Threads,
     control: &mut Control<'_>,
 ) -> Result<Outcome, RunError> {
-    run_with(
-        plan,
-        name,
-        plan.cut_off,
-        viscosity::<S>(plan),
-        engine,
-        control,
-    )
-}
-
-fn viscosity<S: HostScalar>(plan: &Plan) -> NamedViscosity<S> {
-    let coefficients = Coefficients {
-        alpha: S::from_f64(plan.viscosity.alpha),
-        beta: S::from_f64(plan.viscosity.beta),
-    };
-    match plan.viscosity.kind {
-        ViscosityKind::Pairwise => NamedViscosity::Pairwise(Pairwise(coefficients)),
-        ViscosityKind::GingoldMonaghan => {
-            NamedViscosity::GingoldMonaghan(GingoldMonaghan(coefficients))
-        }
-        ViscosityKind::VonNeumann => NamedViscosity::VonNeumann(VonNeumann(coefficients)),
-        ViscosityKind::None => NamedViscosity::Inviscid,
+    let (cut_off, viscosity) = (plan.cut_off, plan.viscosity::<S>());
+    match plan.dimension {
+        1 => run_with::<S, _, _, 1>(plan, name, cut_off, viscosity, engine, control),
+        2 => run_with::<S, _, _, 2>(plan, name, cut_off, viscosity, engine, control),
+        _ => run_with::<S, _, _, 3>(plan, name, cut_off, viscosity, engine, control),
     }
 }

@@ -1,16 +1,18 @@
 //! Density (3.13), with the width of the cut-off tied to it.
 //!
-//! `ρ_k = Σ_l m_l ζ_ε_k(x_k - x_l)`, `l = k` included, and `ε_k = η (m_k/ρ_k)^(1/D)`.
+//! `ν_k = Σ_l μ_l ζ_ε_k(x_k - x_l)`, `l = k` included, and `ε_k = η (μ_k/ν_k)^(1/D)`. The
+//! *measure* μ is the mass (3.13), and ν then the density ρ; or it is 1, and ν a density of
+//! particles: see [`Weights`](super::Weights).
 //!
-//! With `S(λ) = Σ_l m_l z(|r|/ε)`, `λ = ln ε`, the two say `σ S(λ_k) = m_k η^D`: one equation
+//! With `S(λ) = Σ_l μ_l z(|r|/ε)`, `λ = ln ε`, the two say `σ S(λ_k) = μ_k η^D`: one equation
 //! in one unknown, without a root. Its derivatives are sums over the same pairs,
 //!
-//! `S' = -Σ m q z'`, `S'' = Σ m (q z' + q² z'')`,
+//! `S' = -Σ μ q z'`, `S'' = Σ μ (q z' + q² z'')`,
 //!
-//! and a second-order step `δ = d - (S''/2S') d²`, `d = (σ^-1 m η^D - S)/S'`, ends in
-//! `ε e^δ`, `ρ = m (η/ε)^D` and
+//! and a second-order step `δ = d - (S''/2S') d²`, `d = (σ^-1 μ η^D - S)/S'`, ends in
+//! `ε e^δ`, `ν = μ (η/ε)^D` and
 //!
-//! `Ω = 1 + ε/(D ρ) ∂ρ/∂ε = S'/(D S)`.
+//! `Ω = 1 + ε/(D ν) ∂ν/∂ε = S'/(D S)`.
 //!
 //! A step below [`Scalar::EXTRAPOLATION`] is the last one: what it leaves out is then of the
 //! order of the format's rounding (ε), or of the square of the step (Ω). Each particle
@@ -29,7 +31,7 @@ pub enum Width<S> {
         /// ε, a length.
         epsilon: S,
     },
-    /// `ε_k = η (m_k/ρ_k)^(1/D)`: about the same number of neighbours everywhere.
+    /// `ε_k = η (μ_k/ν_k)^(1/D)`, `η (m_k/ρ_k)^(1/D)` for weights by mass: about the same number of neighbours everywhere.
     Adaptive {
         /// η, in spacings.
         eta: S,
@@ -39,8 +41,8 @@ pub enum Width<S> {
 record! {
     /// What the density sum knows of a particle.
     pub struct DensityNode<N, const D: usize> {
-        /// Mass `m`.
-        pub mass: N,
+        /// Measure μ.
+        pub measure: N,
         /// The particle's part of the argument of the cut-off.
         pub scale: N,
         /// ε; where [`Law::close`] leaves it above `limit`, the cloud must be sorted anew.
@@ -51,7 +53,7 @@ record! {
         pub low: N,
         /// The smallest ε seen whose sum was too large.
         pub high: N,
-        /// ρ, when settled.
+        /// ν, when settled.
         pub density: N,
         /// Ω, when settled.
         pub omega: N,
@@ -63,11 +65,11 @@ record! {
 record! {
     /// The sums of one pass.
     pub struct DensitySums<N, const D: usize> {
-        /// `S = Σ m z`.
+        /// `S = Σ μ z`.
         pub value: N,
-        /// `Σ m |r|² F`, `ε²` times `Σ m q z'`.
+        /// `Σ μ |r|² F`, `ε²` times `Σ μ q z'`.
         pub first: N,
-        /// `Σ m |r|² (F + z'')`, `ε²` times `S''`.
+        /// `Σ μ |r|² (F + z'')`, `ε²` times `S''`.
         pub second: N,
         /// Partners within the support, the particle itself among them.
         pub partners: N,
@@ -108,13 +110,13 @@ impl<S: Scalar, C: CutOff, const D: usize> Density<S, C, D> {
     }
 
     /// The node of a particle whose ε is expected to be `epsilon`.
-    pub fn node(&self, mass: S, epsilon: S) -> DensityNode<S, D> {
+    pub fn node(&self, measure: S, epsilon: S) -> DensityNode<S, D> {
         let (epsilon, limit) = match self.width {
             Width::Constant { epsilon } => (epsilon, epsilon),
             Width::Adaptive { .. } => (epsilon, self.limit(epsilon)),
         };
         DensityNode {
-            mass,
+            measure,
             scale: self.cut_off.scale(S::ONE / epsilon),
             epsilon,
             limit,
@@ -134,12 +136,12 @@ impl<S: Scalar, C: CutOff, const D: usize> Density<S, C, D> {
         }
     }
 
-    /// The term of a partner of that mass on a particle of that scale.
+    /// The term of a partner of that measure on a particle of that scale.
     #[inline(always)]
     fn term<N: Number<Scalar = S>>(
         &self,
         scale: N,
-        mass: N,
+        measure: N,
         distance: N,
         distance_squared: N,
         to: &mut DensitySums<N, D>,
@@ -147,8 +149,8 @@ impl<S: Scalar, C: CutOff, const D: usize> Density<S, C, D> {
         let q = distance * scale;
         let gradient = self.cut_off.gradient::<D, N>(q);
         let curvature = self.cut_off.curvature::<D, N>(q);
-        let spread = mass * distance_squared;
-        to.value += mass * self.cut_off.value::<D, N>(q);
+        let spread = measure * distance_squared;
+        to.value += measure * self.cut_off.value::<D, N>(q);
         to.first += spread * gradient;
         to.second += spread * (gradient + curvature);
         to.partners += q.below(N::splat(self.cut_off.edge()));
@@ -158,7 +160,7 @@ impl<S: Scalar, C: CutOff, const D: usize> Density<S, C, D> {
     /// neighbours, or has used up its passes.
     fn adapt(&self, eta: S, node: &mut DensityNode<S, D>, sums: &DensitySums<S, D>) -> bool {
         let inverse = S::ONE / node.epsilon;
-        let target = node.mass * self.target;
+        let target = node.measure * self.target;
         let slope = -(sums.first * inverse * inverse);
         let second = sums.second * inverse * inverse;
         let delta = self.step(node, target - sums.value, slope, second);
@@ -168,7 +170,7 @@ impl<S: Scalar, C: CutOff, const D: usize> Density<S, C, D> {
             return true;
         }
         if !(delta.abs() > S::EXTRAPOLATION) {
-            node.density = node.mass * (eta / node.epsilon).powi(D);
+            node.density = node.measure * (eta / node.epsilon).powi(D);
             node.omega = (slope + delta * second) / (S::count(D as u32) * target);
             return true;
         }
@@ -186,7 +188,7 @@ impl<S: Scalar, C: CutOff, const D: usize> Density<S, C, D> {
         }
         let largest = S::from_f64(0.25);
         let bounded = |delta: S| delta.greater(-largest).lesser(largest);
-        let delta = if slope > node.mass * self.target * S::from_f64(1.0 / 64.0) {
+        let delta = if slope > node.measure * self.target * S::from_f64(1.0 / 64.0) {
             let d = bounded(missing / slope);
             // At most half of d, or the two could cancel far from the solution.
             let correction = (second / slope * d * d).half();
@@ -222,8 +224,8 @@ impl<S: Scalar, C: CutOff, const D: usize> Law<S, D> for Density<S, C, D> {
         to_l: &mut DensitySums<N, D>,
     ) {
         let distance = self.cut_off.argument(distance_squared);
-        self.term(k.scale, l.mass, distance, distance_squared, to_k);
-        self.term(l.scale, k.mass, distance, distance_squared, to_l);
+        self.term(k.scale, l.measure, distance, distance_squared, to_k);
+        self.term(l.scale, k.measure, distance, distance_squared, to_l);
     }
 
     fn close(&self, node: &mut DensityNode<S, D>, sums: &DensitySums<S, D>) -> bool {

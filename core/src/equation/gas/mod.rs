@@ -13,15 +13,25 @@
 //! Differs from the paper: ε may vary from particle to particle, hence Ω (Springel &
 //! Hernquist, MNRAS 333, 649, 2002); any dimension; signs as corrected in `docs/paper.md`.
 
+mod densities;
 pub mod density;
 mod dynamics;
+pub mod exchange;
+mod exchange_rates;
+pub mod gradient;
 pub mod motion;
+mod motion_rates;
+pub mod options;
 pub mod state;
+mod storage;
+pub mod switch;
 pub mod tube;
 pub mod viscosity;
 
 pub use density::Width;
 pub use dynamics::GasDynamics;
-pub use state::{Gas, GasStorage, Particle, Workspace};
+pub use options::{Diffusion, EnergyForm, Options, Switch, Weights};
+pub use state::{Gas, Particle};
+pub use storage::{ExchangeStorage, ExchangeWorkspace, GasStorage, Workspace};
 pub use tube::{Stretch, Tube};
 pub use viscosity::Viscosity;

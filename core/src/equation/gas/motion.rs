@@ -16,7 +16,9 @@ record! {
     pub struct GasNode<N, const D: usize> {
         /// Mass `m`.
         pub mass: N,
-        /// `P = (p + q)/(Ω ρ²)`.
+        /// Measure μ: the mass, or 1.
+        pub measure: N,
+        /// `P = (p + q)/(Ω ν²)`.
         pub pressure: N,
         /// `σ ε^-(D+2)`: turns `F(q) r` into the gradient.
         pub gradient: N,
@@ -37,7 +39,7 @@ record! {
 record! {
     /// What it receives.
     pub struct GasSums<N, const D: usize> {
-        /// `Σ_l m_l (u_k-u_l)·∇ζ_kl(ε_k) = -Ω_k ρ_k div u`.
+        /// `Σ_l μ_l (u_k-u_l)·∇ζ_kl(ε_k) = -Ω_k ν_k div u`.
         pub compression: N,
         /// `1/2 Σ_l m_k m_l Π_kl (u_k-u_l)·g_kl`.
         pub heating: N,
@@ -91,19 +93,21 @@ impl<S: Scalar, C: CutOff, V: Viscosity<S>, const D: usize> Law<S, D> for Motion
             sound_speeds: k.sound_speed + l.sound_speed,
             densities: k.density + l.density,
             epsilons: k.epsilon + l.epsilon,
+            linear: N::literal(1.0),
+            factor: N::literal(1.0),
         });
 
-        let masses = k.mass * l.mass;
-        let viscous = pi * g;
-        let term = masses * ((k.pressure * g_k + l.pressure * g_l) + viscous);
+        let viscous = (k.mass * l.mass) * (pi * g);
+        let measures = k.measure * l.measure;
+        let term = measures * (k.pressure * g_k + l.pressure * g_l) + viscous;
         for i in 0..D {
             let force = term * r[i];
             to_k.force[i] -= force;
             to_l.force[i] += force;
         }
-        to_k.compression += l.mass * (approach * g_k);
-        to_l.compression += k.mass * (approach * g_l);
-        let heating = N::literal(0.5) * (masses * (viscous * approach));
+        to_k.compression += l.measure * (approach * g_k);
+        to_l.compression += k.measure * (approach * g_l);
+        let heating = N::literal(0.5) * (viscous * approach);
         to_k.heating += heating;
         to_l.heating += heating;
 

@@ -4,7 +4,7 @@
 //! give equal bits.
 
 use super::state::Particle;
-use super::{GasDynamics, Width};
+use super::{GasDynamics, Options, Width};
 use crate::domain::{Axis, Domain, Side};
 use crate::material::IdealGas;
 use crate::scalar::Scalar;
@@ -15,47 +15,34 @@ const SMALLEST_OMEGA: f64 = 1.0 / 32.0;
 
 /// A stretch of uniform gas, filled with particles of equal mass and spacing.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stretch<S> {
+pub struct Stretch {
     /// Its lower end.
-    pub lower: S,
+    pub lower: f64,
     /// Its upper end, > `lower`.
-    pub upper: S,
+    pub upper: f64,
     /// How many particles it gets, > 0.
     pub particles: u32,
     /// The mass of each.
-    pub mass: S,
+    pub mass: f64,
     /// Velocity.
-    pub velocity: S,
+    pub velocity: f64,
     /// Internal energy per mass.
-    pub energy: S,
+    pub energy: f64,
 }
 
-impl<S: Scalar> Stretch<S> {
+impl Stretch {
     /// The particles, each in the middle of its part of the stretch, from the lower end up.
     /// `eta`: what ε is expected to be, in spacings.
-    pub fn particles(self, eta: S) -> impl Iterator<Item = Particle<S, 1>> {
-        let spacing = (self.upper - self.lower) / S::count(self.particles);
+    pub fn particles(self, eta: f64) -> impl Iterator<Item = Particle<f64, 1>> {
+        let spacing = (self.upper - self.lower) / f64::from(self.particles);
         (0..self.particles).map(move |k| Particle {
-            position: [self.lower + (spacing * S::count(k) + spacing.half())],
+            position: [self.lower + spacing * (f64::from(k) + 0.5)],
             velocity: [self.velocity],
             mass: self.mass,
             energy: self.energy,
             epsilon: eta * spacing,
+            material: 0,
         })
-    }
-}
-
-impl Stretch<f64> {
-    /// The stretch in the scalar of a run.
-    fn rounded<S: Scalar>(&self) -> Stretch<S> {
-        Stretch {
-            lower: S::from_f64(self.lower),
-            upper: S::from_f64(self.upper),
-            particles: self.particles,
-            mass: S::from_f64(self.mass),
-            velocity: S::from_f64(self.velocity),
-            energy: S::from_f64(self.energy),
-        }
     }
 }
 
@@ -67,7 +54,7 @@ pub struct Tube<'a> {
     /// What is at its ends.
     pub sides: [Side; 2],
     /// The gas at the start, from the lower end up.
-    pub stretches: &'a [Stretch<f64>],
+    pub stretches: &'a [Stretch],
     /// Ratio of specific heats, > 1.
     pub gamma: f64,
     /// Width of the cut-off.
@@ -79,12 +66,19 @@ pub struct Tube<'a> {
 }
 
 impl Tube<'_> {
-    /// The solver, with the cut-off and viscosity of the caller's choice.
-    pub fn solver<S: Scalar, C, V>(
+    /// The gas of the tube.
+    pub fn material<S: Scalar>(&self) -> IdealGas<S> {
+        IdealGas::new(self.gamma)
+    }
+
+    /// The solver, with the cut-off and viscosity of the caller's choice; `materials` is the
+    /// [`Tube::material`], kept by the caller.
+    pub fn solver<'m, S: Scalar, C, V>(
         &self,
         cut_off: C,
         viscosity: V,
-    ) -> GasDynamics<S, C, V, IdealGas<S>, 1> {
+        materials: &'m [IdealGas<S>; 1],
+    ) -> GasDynamics<'m, S, C, V, IdealGas<S>, 1> {
         let half = S::from_f64(self.half_length);
         GasDynamics {
             domain: Domain {
@@ -104,21 +98,23 @@ impl Tube<'_> {
                 },
             },
             viscosity,
-            equation_of_state: IdealGas::new(self.gamma),
+            materials,
+            options: Options::PLAIN,
             courant: S::from_f64(self.courant),
             smallest_omega: S::from_f64(SMALLEST_OMEGA),
         }
     }
 
-    /// The particles of the first state.
+    /// The particles of the first state: made in `f64`, then rounded to the scalar once.
     pub fn particles<S: Scalar>(&self) -> impl Iterator<Item = Particle<S, 1>> {
         let eta = match self.width {
-            Width::Adaptive { eta } => S::from_f64(eta),
-            Width::Constant { .. } => S::ONE,
+            Width::Adaptive { eta } => eta,
+            Width::Constant { .. } => 1.0,
         };
         self.stretches
             .iter()
-            .flat_map(move |stretch| stretch.rounded().particles(eta))
+            .flat_map(move |stretch| stretch.particles(eta))
+            .map(|particle| particle.rounded())
     }
 
     /// The duration of the run.

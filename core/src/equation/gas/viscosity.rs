@@ -7,7 +7,7 @@ use crate::scalar::{Number, Scalar};
 
 /// A pair as the viscosity sees it. Sums, not means: symmetric to the bit.
 pub struct Pair<N> {
-    /// `(u_k - u_l)·r`.
+    /// `(u_k - u_l)·r`; of reconstructed velocities where they are.
     pub approach: N,
     /// `|r|²`.
     pub distance_squared: N,
@@ -19,6 +19,10 @@ pub struct Pair<N> {
     pub densities: N,
     /// `ε_k + ε_l`.
     pub epsilons: N,
+    /// Factor of α, in [0, 1].
+    pub linear: N,
+    /// Factor of Π, in [0, 1].
+    pub factor: N,
 }
 
 /// A particle as the viscosity sees it.
@@ -101,10 +105,10 @@ impl<S: Scalar> Viscosity<S> for GingoldMonaghan<S> {
         let epsilon = N::literal(0.5) * pair.epsilons;
         let softened = pair.distance_squared + N::literal(0.01) * (epsilon * epsilon);
         let mu = epsilon * pair.approach.min(N::zero()) / softened;
-        let bracket =
-            N::splat(self.0.alpha) * pair.sound_speeds - N::splat(self.0.beta + self.0.beta) * mu;
+        let bracket = N::splat(self.0.alpha) * pair.linear * pair.sound_speeds
+            - N::splat(self.0.beta + self.0.beta) * mu;
         // -(α c̄ - β μ) μ / ρ̄ with both means written as sums.
-        -(bracket * mu / pair.densities)
+        -(pair.factor * (bracket * mu / pair.densities))
     }
     fn signal(&self, sound_speed: S, approach: S) -> S {
         self.0.signal(sound_speed, approach)
@@ -121,8 +125,9 @@ impl<S: Scalar> Viscosity<S> for Pairwise<S> {
     #[inline(always)]
     fn pair<N: Number<Scalar = S>>(&self, pair: &Pair<N>) -> N {
         let s = pair.speed.min(N::zero());
-        let bracket = N::splat(self.0.alpha) * pair.sound_speeds - N::splat(self.0.beta) * s;
-        -(bracket * s / pair.densities)
+        let bracket =
+            N::splat(self.0.alpha) * pair.linear * pair.sound_speeds - N::splat(self.0.beta) * s;
+        -(pair.factor * (bracket * s / pair.densities))
     }
     fn signal(&self, sound_speed: S, approach: S) -> S {
         self.0.signal(sound_speed, approach)

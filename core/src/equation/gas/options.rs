@@ -1,0 +1,101 @@
+//! What a gas solver may do beyond the paper's equations.
+
+use crate::scalar::Scalar;
+
+/// What a particle weighs in sums over its neighbours. The paper leaves the weights w_k free.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Weights {
+    /// `w_k = m_k/ρ_k`, `ρ_k = Σ_l m_l ζ_kl` (3.13): right where the density is smooth.
+    #[default]
+    Mass,
+    /// `w_k = 1/Σ_l ζ_kl`, `ρ_k = m_k/w_k`: the density of a particle depends on the places
+    /// of its partners and not on their masses, so it may jump between two fluids whose
+    /// particles are equally spaced (Ott & Schnetter, physics/0303112, 2003).
+    Number,
+}
+
+/// How the energy goes from one time to the next.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum EnergyForm {
+    /// Internal energy (3.12) by leap-frog: the total drifts by the square of the step.
+    #[default]
+    LeapFrog,
+    /// Internal energy by the work that the pair forces do over each half of a step: the
+    /// total is conserved to round-off for any step, at the price of one more sweep.
+    Exact,
+    /// Total energy (3.11): conserved to round-off too; the internal energy is a difference,
+    /// and has few digits in cold, fast gas.
+    Total,
+}
+
+/// A viscosity that decays away from shocks: see [`super::switch`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Switch<S> {
+    /// The smallest factor of α, in [0, 1].
+    pub minimum: S,
+    /// The rate of decay, in signal speeds over ε, > 0.
+    pub decay: S,
+}
+
+/// Physical coefficients, the same for all particles; both by the operator (4.6).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Diffusion<S> {
+    /// Kinematic viscosity, length²/time, >= 0. The stress is along lines of centres, which
+    /// conserves angular momentum: `ρ du/dt = ... + μ (∇²u + 2 ∇ div u)`, `μ = ρ ν`.
+    pub viscosity: S,
+    /// Thermal diffusivity, length²/time, >= 0, of the internal energy within a material.
+    pub heat: S,
+}
+
+/// What a gas solver may do beyond the paper's equations. With [`Options::PLAIN`] it solves
+/// those with the fastest loops; anything else but weights and acceleration takes the loop
+/// of [`super::exchange`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options<S, const D: usize> {
+    /// The weight rule.
+    pub weights: Weights,
+    /// The energy.
+    pub energy: EnergyForm,
+    /// External acceleration, length/time².
+    pub acceleration: [S; D],
+    /// Whether the viscosity sees velocities that are reconstructed between the particles.
+    pub limited: bool,
+    /// Whether the viscosity decays away from shocks.
+    pub switch: Option<Switch<S>>,
+    /// Whether the viscosity spares shear: Balsara's factor.
+    pub balsara: bool,
+    /// Coefficient of the artificial conductivity, >= 0.
+    pub conduction: S,
+    /// Physical viscosity and heat conduction.
+    pub diffusion: Diffusion<S>,
+}
+
+impl<S: Scalar, const D: usize> Options<S, D> {
+    /// The paper's equations and nothing else.
+    pub const PLAIN: Self = Self {
+        weights: Weights::Mass,
+        energy: EnergyForm::LeapFrog,
+        acceleration: [S::ZERO; D],
+        limited: false,
+        switch: None,
+        balsara: false,
+        conduction: S::ZERO,
+        diffusion: Diffusion {
+            viscosity: S::ZERO,
+            heat: S::ZERO,
+        },
+    };
+
+    /// Whether gradients are needed.
+    pub fn need_gradients(&self) -> bool {
+        self.limited || self.balsara || self.switch.is_some() || self.conduction > S::ZERO
+    }
+
+    /// Whether the loop of [`super::exchange`] is needed.
+    pub fn need_exchange(&self) -> bool {
+        self.need_gradients()
+            || self.energy != EnergyForm::LeapFrog
+            || self.diffusion.viscosity > S::ZERO
+            || self.diffusion.heat > S::ZERO
+    }
+}

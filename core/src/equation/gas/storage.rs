@@ -1,0 +1,219 @@
+//! The memory of a gas: what a step works in, and all of it in one piece for a device.
+
+use heapless::Vec;
+
+use crate::error::{Container, Error};
+use crate::neighbours::{CellBuffers, Site};
+use crate::pairs::{Fields, Settled};
+use crate::scalar::Scalar;
+
+use super::density::{DensityNode, DensitySums};
+use super::exchange::{ExchangeNode, ExchangeSums};
+use super::gradient::{GradientNode, GradientSums};
+use super::motion::{GasNode, GasSums};
+use super::state::{Gas, Particle};
+
+/// Memory that a step works in; nothing in it outlives the step.
+pub struct Workspace<'a, S: Scalar, const D: usize> {
+    /// For the search for partners.
+    pub cells: CellBuffers<'a, S, D>,
+    /// Nodes of the density sum, in sorted order.
+    pub density_nodes: &'a mut [DensityNode<S, D>],
+    /// Its results.
+    pub densities: &'a mut [Settled<DensityNode<S, D>, DensitySums<S, D>>],
+    /// Nodes of the motion, in sorted order.
+    pub gas_nodes: &'a mut [GasNode<S, D>],
+    /// Its results.
+    pub rates: &'a mut [Settled<GasNode<S, D>, GasSums<S, D>>],
+    /// For what goes beyond the paper's equations; may be empty where
+    /// [`Options::need_exchange`](super::Options::need_exchange) says no.
+    pub exchange: ExchangeWorkspace<'a, S, D>,
+}
+
+/// Memory for the sums of [`super::exchange`] and [`super::gradient`].
+pub struct ExchangeWorkspace<'a, S: Scalar, const D: usize> {
+    /// Nodes of the velocity gradients, in sorted order.
+    pub gradient_nodes: &'a mut [GradientNode<S, D>],
+    /// Their results.
+    pub gradients: &'a mut [Settled<GradientNode<S, D>, GradientSums<S, D>>],
+    /// Nodes of the exchange, in sorted order.
+    pub nodes: &'a mut [ExchangeNode<S, D>],
+    /// Its results.
+    pub rates: &'a mut [Settled<ExchangeNode<S, D>, ExchangeSums<S, D>>],
+}
+
+impl<S: Scalar, const D: usize> Default for ExchangeWorkspace<'_, S, D> {
+    /// None.
+    fn default() -> Self {
+        Self {
+            gradient_nodes: &mut [],
+            gradients: &mut [],
+            nodes: &mut [],
+            rates: &mut [],
+        }
+    }
+}
+
+/// The memory of an [`ExchangeWorkspace`] for `N` particles, without a heap:
+/// `work.exchange = storage.parts()`.
+pub struct ExchangeStorage<S: Scalar, const D: usize, const N: usize> {
+    gradient_nodes: [GradientNode<S, D>; N],
+    gradients: [Settled<GradientNode<S, D>, GradientSums<S, D>>; N],
+    nodes: [ExchangeNode<S, D>; N],
+    rates: [Settled<ExchangeNode<S, D>, ExchangeSums<S, D>>; N],
+}
+
+impl<S: Scalar, const D: usize, const N: usize> Default for ExchangeStorage<S, D, N> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<S: Scalar, const D: usize, const N: usize> ExchangeStorage<S, D, N> {
+    /// Memory with nothing in it.
+    pub const fn new() -> Self {
+        Self {
+            gradient_nodes: [GradientNode::ZERO; N],
+            gradients: [Settled::new(GradientNode::ZERO, GradientSums::ZERO); N],
+            nodes: [ExchangeNode::ZERO; N],
+            rates: [Settled::new(ExchangeNode::ZERO, ExchangeSums::ZERO); N],
+        }
+    }
+
+    /// As the solver takes it.
+    pub fn parts(&mut self) -> ExchangeWorkspace<'_, S, D> {
+        ExchangeWorkspace {
+            gradient_nodes: &mut self.gradient_nodes,
+            gradients: &mut self.gradients,
+            nodes: &mut self.nodes,
+            rates: &mut self.rates,
+        }
+    }
+}
+
+/// A gas of at most `N` particles on at most `C - 1` cells, with its workspace, in one piece
+/// of memory without a heap.
+///
+/// `C` must exceed [`cell_bound`](crate::neighbours::cell_bound)`(N)`. [`GasStorage::new`] is
+/// `const`, and all bits of an empty storage are 0 but for the heapless lengths: a `static`
+/// one costs no flash and no stack.
+pub struct GasStorage<S: Scalar, const D: usize, const N: usize, const C: usize> {
+    position: Vec<[S; D], N>,
+    velocity: Vec<[S; D], N>,
+    energy: Vec<S, N>,
+    mass: Vec<S, N>,
+    epsilon: Vec<S, N>,
+    material: Vec<u8, N>,
+    density: [S; N],
+    force: [[S; D]; N],
+    power: [S; N],
+    power_slope: [S; N],
+    viscosity_factor: [S; N],
+    divergence: [S; N],
+    signal: [S; N],
+    neighbours: [S; N],
+    sites: [Site<S, D>; N],
+    order: [u32; N],
+    cell_of: [u32; N],
+    starts: [u32; C],
+    density_nodes: [DensityNode<S, D>; N],
+    densities: [Settled<DensityNode<S, D>, DensitySums<S, D>>; N],
+    gas_nodes: [GasNode<S, D>; N],
+    rates: [Settled<GasNode<S, D>, GasSums<S, D>>; N],
+}
+
+impl<S: Scalar, const D: usize, const N: usize, const C: usize> Default for GasStorage<S, D, N, C> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<S: Scalar, const D: usize, const N: usize, const C: usize> GasStorage<S, D, N, C> {
+    /// An empty cloud.
+    pub const fn new() -> Self {
+        Self {
+            position: Vec::new(),
+            velocity: Vec::new(),
+            energy: Vec::new(),
+            mass: Vec::new(),
+            epsilon: Vec::new(),
+            material: Vec::new(),
+            density: [S::ZERO; N],
+            force: [[S::ZERO; D]; N],
+            power: [S::ZERO; N],
+            power_slope: [S::ZERO; N],
+            viscosity_factor: [S::ZERO; N],
+            divergence: [S::ZERO; N],
+            signal: [S::ZERO; N],
+            neighbours: [S::ZERO; N],
+            sites: [Site::EMPTY; N],
+            order: [0; N],
+            cell_of: [0; N],
+            starts: [0; C],
+            density_nodes: [DensityNode::ZERO; N],
+            densities: [Settled::new(DensityNode::ZERO, DensitySums::ZERO); N],
+            gas_nodes: [GasNode::ZERO; N],
+            rates: [Settled::new(GasNode::ZERO, GasSums::ZERO); N],
+        }
+    }
+
+    /// Adds a particle; its id is the number of particles before it. Error: no room.
+    pub fn push(&mut self, particle: Particle<S, D>) -> Result<(), Error> {
+        let full = Error::Capacity {
+            container: Container::Particles,
+            needed: self.mass.len() as u32 + 1,
+            capacity: N as u32,
+        };
+        self.position.push(particle.position).map_err(|_| full)?;
+        self.velocity.push(particle.velocity).map_err(|_| full)?;
+        self.mass.push(particle.mass).map_err(|_| full)?;
+        self.energy.push(particle.energy).map_err(|_| full)?;
+        self.epsilon.push(particle.epsilon).map_err(|_| full)?;
+        self.material.push(particle.material).map_err(|_| full)
+    }
+
+    /// Removes all particles.
+    pub fn clear(&mut self) {
+        self.position.clear();
+        self.velocity.clear();
+        self.mass.clear();
+        self.energy.clear();
+        self.epsilon.clear();
+        self.material.clear();
+    }
+
+    /// The state and the workspace, as the solver takes them.
+    pub fn parts(&mut self) -> (Gas<'_, S, D>, Workspace<'_, S, D>) {
+        let n = self.mass.len();
+        let gas = Gas {
+            position: &mut self.position,
+            velocity: &mut self.velocity,
+            energy: &mut self.energy,
+            mass: &self.mass,
+            material: &self.material,
+            epsilon: &mut self.epsilon,
+            density: self.density.get_mut(..n).unwrap_or(&mut []),
+            force: self.force.get_mut(..n).unwrap_or(&mut []),
+            power: self.power.get_mut(..n).unwrap_or(&mut []),
+            power_slope: self.power_slope.get_mut(..n).unwrap_or(&mut []),
+            viscosity_factor: self.viscosity_factor.get_mut(..n).unwrap_or(&mut []),
+            divergence: self.divergence.get_mut(..n).unwrap_or(&mut []),
+            signal: self.signal.get_mut(..n).unwrap_or(&mut []),
+            neighbours: self.neighbours.get_mut(..n).unwrap_or(&mut []),
+        };
+        let work = Workspace {
+            cells: CellBuffers {
+                sites: &mut self.sites,
+                order: &mut self.order,
+                cell_of: &mut self.cell_of,
+                starts: &mut self.starts,
+            },
+            density_nodes: &mut self.density_nodes,
+            densities: &mut self.densities,
+            gas_nodes: &mut self.gas_nodes,
+            rates: &mut self.rates,
+            exchange: ExchangeWorkspace::default(),
+        };
+        (gas, work)
+    }
+}

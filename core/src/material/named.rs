@@ -1,0 +1,41 @@
+//! A material chosen while the program runs.
+
+use super::{EquationOfState, IdealGas, Isothermal, StiffenedGas, Tait};
+use crate::scalar::Scalar;
+
+/// Any of the materials; gives the bits of the one it names.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Named<S> {
+    /// [`IdealGas`].
+    IdealGas(IdealGas<S>),
+    /// [`StiffenedGas`].
+    StiffenedGas(StiffenedGas<S>),
+    /// [`Isothermal`].
+    Isothermal(Isothermal<S>),
+    /// [`Tait`].
+    Tait(Tait<S>),
+}
+
+impl<S: Scalar> EquationOfState<S> for Named<S> {
+    fn pressure(&self, density: S, energy: S) -> S {
+        match self {
+            Self::IdealGas(law) => law.pressure(density, energy),
+            Self::StiffenedGas(law) => law.pressure(density, energy),
+            Self::Isothermal(law) => law.pressure(density, energy),
+            Self::Tait(law) => law.pressure(density, energy),
+        }
+    }
+
+    fn sound_speed(&self, density: S, energy: S) -> S {
+        match self {
+            Self::IdealGas(law) => law.sound_speed(density, energy),
+            Self::StiffenedGas(law) => law.sound_speed(density, energy),
+            Self::Isothermal(law) => law.sound_speed(density, energy),
+            Self::Tait(law) => law.sound_speed(density, energy),
+        }
+    }
+
+    fn feels_energy(&self) -> bool {
+        matches!(self, Self::IdealGas(_) | Self::StiffenedGas(_))
+    }
+}

@@ -1,0 +1,38 @@
+//! The stiffened gas: a liquid or solid under strong pressure.
+
+use super::EquationOfState;
+use crate::scalar::Scalar;
+
+/// `p = (γ-1) ρ e - γ p∞`, `c² = γ (p + p∞)/ρ`; γ > 1, p∞ >= 0 (Harlow & Amsden, LA-4700,
+/// 1971). With p∞ = 0 it is the ideal gas.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StiffenedGas<S> {
+    gamma: S,
+    gamma_minus_one: S,
+    /// `p∞`.
+    stiffness: S,
+}
+
+impl<S: Scalar> StiffenedGas<S> {
+    /// A material with that γ > 1 and `p∞` >= 0, a pressure.
+    pub fn new(gamma: f64, stiffness: f64) -> Self {
+        Self {
+            gamma: S::from_f64(gamma),
+            gamma_minus_one: S::from_f64(gamma - 1.0),
+            stiffness: S::from_f64(stiffness),
+        }
+    }
+}
+
+impl<S: Scalar> EquationOfState<S> for StiffenedGas<S> {
+    #[inline]
+    fn pressure(&self, density: S, energy: S) -> S {
+        self.gamma_minus_one * density * energy - self.gamma * self.stiffness
+    }
+
+    #[inline]
+    fn sound_speed(&self, density: S, energy: S) -> S {
+        let stiff = self.pressure(density, energy) + self.stiffness;
+        (self.gamma * (stiff.greater(S::ZERO) / density)).sqrt()
+    }
+}

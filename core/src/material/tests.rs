@@ -1,0 +1,58 @@
+//! Sound speeds are those of thermodynamics: `c² = ∂p/∂ρ + p/ρ² ∂p/∂e`.
+
+use super::*;
+
+fn laws() -> [Named<f64>; 4] {
+    [
+        Named::IdealGas(IdealGas::new(1.4)),
+        Named::StiffenedGas(StiffenedGas::new(4.4, 6.0)),
+        Named::Isothermal(Isothermal::new(0.7)),
+        Named::Tait(Tait::new(0.9, 3.0, 7)),
+    ]
+}
+
+#[test]
+fn the_sound_speed_is_the_adiabatic_derivative_of_the_pressure() {
+    for law in laws() {
+        for (density, energy) in [(1.0, 9.0), (0.8, 25.0), (1.3, 12.0)] {
+            let h = 1e-5;
+            let by_density =
+                (law.pressure(density + h, energy) - law.pressure(density - h, energy)) / (2.0 * h);
+            let by_energy =
+                (law.pressure(density, energy + h) - law.pressure(density, energy - h)) / (2.0 * h);
+            let expected =
+                by_density + law.pressure(density, energy) / density / density * by_energy;
+            let c = law.sound_speed(density, energy);
+            assert!(
+                (c * c - expected).abs() < 1e-7 * expected.abs(),
+                "{law:?}: c² = {} instead of {expected}",
+                c * c
+            );
+        }
+    }
+}
+
+#[test]
+fn a_stiffened_gas_without_stiffness_is_an_ideal_gas() {
+    let (stiffened, ideal) = (
+        StiffenedGas::<f64>::new(1.4, 0.0),
+        IdealGas::<f64>::new(1.4),
+    );
+    assert_eq!(stiffened.pressure(0.7, 2.1), ideal.pressure(0.7, 2.1));
+    let [a, b] = [stiffened.sound_speed(0.7, 2.1), ideal.sound_speed(0.7, 2.1)];
+    assert!((a - b).abs() < 1e-15);
+}
+
+#[test]
+fn a_liquid_at_rest_has_no_pressure() {
+    assert_eq!(Tait::<f64>::new(0.5, 3.0, 7).pressure(0.5, 1.0), 0.0);
+}
+
+#[test]
+fn sound_does_not_travel_where_its_speed_would_be_imaginary() {
+    assert_eq!(IdealGas::<f64>::new(1.4).sound_speed(1.0, -1.0), 0.0);
+    assert_eq!(
+        StiffenedGas::<f64>::new(1.4, 1.0).sound_speed(1.0, -9.0),
+        0.0
+    );
+}

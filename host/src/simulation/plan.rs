@@ -4,7 +4,10 @@ use motes_core::cutoff::{CutOff, Named};
 use motes_core::domain::Side;
 use motes_core::equation::gas::{Stretch, Tube, Width};
 
-use crate::scenario::{self, CutOffShape, Material, Region, Scenario, Viscosity};
+use crate::scenario::{
+    self, Arrangement, CutOffShape, EnergyRule, EquationOfState, Region, Scenario, Share,
+    Viscosity, ViscosityKind, Weights,
+};
 use crate::units::SolverUnits;
 
 /// A one-dimensional gas run in solver units, every number still an `f64`.
@@ -47,6 +50,13 @@ pub enum PlanError {
         name: String,
         /// Its dimension.
         dimension: usize,
+    },
+    /// Something that can be read but not solved yet.
+    #[error("the scenario has {what}: `motes run` does not solve that so far")]
+    #[diagnostic(help("take it out of the scenario"))]
+    Unsolved {
+        /// What it has.
+        what: &'static str,
     },
     /// A region that would get no particle.
     #[error("region {region} would get no particle: it holds {share:.3} of one")]
@@ -116,7 +126,14 @@ impl Plan {
                 limit: LARGEST,
             });
         }
-        let Material::IdealGas { gamma } = scenario.material;
+        if let Some(what) = unsolved(scenario) {
+            return Err(PlanError::Unsolved { what });
+        }
+        let EquationOfState::IdealGas { gamma } = scenario.materials[0].law else {
+            return Err(PlanError::Unsolved {
+                what: "another equation of state than ideal-gas",
+            });
+        };
         let extent = &scenario.domain.extent;
         let (lower, upper) = (extent.lower[0], extent.upper[0]);
         let masses: Vec<f64> = scenario
@@ -190,6 +207,51 @@ impl Plan {
             .map(|stretch| stretch.particles as usize)
             .sum()
     }
+}
+
+/// What a scenario has that is not solved yet, so that nothing is passed over in silence.
+fn unsolved(scenario: &Scenario) -> Option<&'static str> {
+    let viscosity = &scenario.viscosity;
+    let resolution = &scenario.resolution;
+    let found = [
+        (scenario.profile.is_some(), "a profile"),
+        (
+            scenario.regions.iter().any(|region| region.ball.is_some()),
+            "a ball",
+        ),
+        (scenario.materials.len() > 1, "several materials"),
+        (!scenario.deposits.is_empty(), "a deposit"),
+        (
+            resolution.arrangement != Arrangement::EqualMass
+                || resolution.share != Share::Mass
+                || resolution.jitter > 0.0,
+            "another arrangement than equal-mass",
+        ),
+        (scenario.weights != Weights::Mass, "number weights"),
+        (
+            viscosity.kind == ViscosityKind::Limited
+                || viscosity.switch.is_some()
+                || viscosity.balsara,
+            "a limited or switched viscosity",
+        ),
+        (scenario.conduction > 0.0, "conduction"),
+        (
+            scenario.diffusion.viscosity > 0.0 || scenario.diffusion.heat > 0.0,
+            "diffusion",
+        ),
+        (scenario.acceleration.iter().any(|&a| a != 0.0), "a force"),
+        (
+            scenario.time.energy != EnergyRule::LeapFrog,
+            "another energy rule than leapfrog",
+        ),
+        (scenario.output.ring.is_some(), "a ring"),
+        (scenario.output.snapshots.is_some(), "snapshots"),
+        (!scenario.tolerances.is_empty(), "tolerances"),
+    ];
+    found
+        .into_iter()
+        .find(|(has, _)| *has)
+        .map(|(_, what)| what)
 }
 
 /// Reaches in spacings between which a density sum makes sense: one neighbour on either side

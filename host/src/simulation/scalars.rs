@@ -151,6 +151,7 @@ fn viscosity<S: HostScalar>(plan: &Plan) -> NamedViscosity<S> {
             NamedViscosity::GingoldMonaghan(GingoldMonaghan(coefficients))
         }
         ViscosityKind::VonNeumann => NamedViscosity::VonNeumann(VonNeumann(coefficients)),
-        ViscosityKind::None => NamedViscosity::Inviscid,
+        // `Plan::new` refuses `Limited`.
+        ViscosityKind::None | ViscosityKind::Limited => NamedViscosity::Inviscid,
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::exact::riemann::{GasState, RiemannError, RiemannProblem, RiemannSolution};
-use crate::scenario::{Exact, Extent, Material, Region, Scenario, Side};
+use crate::scenario::{EquationOfState, Exact, Extent, Region, Scenario, Side};
 use crate::simulation::ParticleRow;
 
 /// Norms of the error of one field over a window.
@@ -38,7 +38,9 @@ impl ExactSolution {
         let Some(Exact::Riemann) = scenario.output.exact else {
             return Ok(None);
         };
-        let Material::IdealGas { gamma } = scenario.material;
+        let EquationOfState::IdealGas { gamma } = scenario.materials[0].law else {
+            return Ok(None);
+        };
         let mut sides: Vec<_> = scenario.regions.iter().collect();
         sides.sort_by(|a, b| a.extent.lower[0].total_cmp(&b.extent.lower[0]));
         let state = |i: usize| GasState {
@@ -81,7 +83,9 @@ impl ExactSolution {
             return Some("the waves have reached the ends of the domain".to_owned());
         }
         // What an end sends out travels at most with the speed of its gas and of sound.
-        let Material::IdealGas { gamma } = scenario.material;
+        let EquationOfState::IdealGas { gamma } = scenario.materials[0].law else {
+            return None;
+        };
         for (end, side) in scenario.domain.sides[0].iter().enumerate() {
             let place = [extent.lower[0], extent.upper[0]][end];
             let touches =

@@ -111,7 +111,10 @@ fn viscosity(viscosity: &Viscosity) -> (String, &'static str) {
         ViscosityKind::Pairwise => "Pairwise",
         ViscosityKind::GingoldMonaghan => "GingoldMonaghan",
         ViscosityKind::VonNeumann => "VonNeumann",
-        ViscosityKind::None => return ("Viscosity::Inviscid".to_owned(), "Named as Viscosity"),
+        // `Plan::new` refuses `Limited`.
+        ViscosityKind::None | ViscosityKind::Limited => {
+            return ("Viscosity::Inviscid".to_owned(), "Named as Viscosity");
+        }
     };
     let types = match kind {
         "Pairwise" => "{Coefficients, Named as Viscosity, Pairwise}",

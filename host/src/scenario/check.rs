@@ -1,71 +1,24 @@
 //! From TOML text to a checked [`Scenario`].
 
+use std::path::Path;
+
 use toml::de::DeTable;
 
 use super::error::{Fault, ScenarioError};
-use super::geometry;
 use super::keys::ROOT;
 use super::problem::Problem;
-use super::section::{Bound, Section};
-use super::*;
+use super::section::Section;
+use super::{Arrangement, Domain};
+use super::{Gas, Scenario, Units};
+use super::{cut_off, geometry, material, method, output, profile, region, resolution, tolerance};
 
-const POSITIVE: Bound = Bound {
-    need: "> 0",
-    holds: |value| value > 0.0,
-    cure: "give a number larger than 0",
-};
-
-const NOT_NEGATIVE: Bound = Bound {
-    need: ">= 0",
-    holds: |value| value >= 0.0,
-    cure: "give 0 or a positive number: a negative one would feed shocks instead of damping them",
-};
-
-const GAMMA: Bound = Bound {
-    need: "> 1",
-    holds: |value| value > 1.0,
-    cure: "give the ratio of the specific heats, for example 1.4 for air or 1.6667 for argon",
-};
-
-const COURANT: Bound = Bound {
-    need: "> 0 and at most 1",
-    holds: |value| value > 0.0 && value <= 1.0,
-    cure: "0.3 is safe; larger steps are faster and less stable",
-};
-
-const ARRANGEMENTS: &[(&str, Arrangement)] = &[("equal-mass", Arrangement::EqualMass)];
-
-const SHAPES: &[(&str, CutOffShape)] = &[
-    ("cubic-spline", CutOffShape::CubicSpline),
-    ("quintic-spline", CutOffShape::QuinticSpline),
-    ("wendland-c2", CutOffShape::WendlandC2),
-    ("wendland-c4", CutOffShape::WendlandC4),
-    ("wendland-c6", CutOffShape::WendlandC6),
-    ("root-free", CutOffShape::RootFree),
-];
-
-const KINDS: &[(&str, ViscosityKind)] = &[
-    ("pairwise", ViscosityKind::Pairwise),
-    ("gingold_monaghan", ViscosityKind::GingoldMonaghan),
-    ("von_neumann", ViscosityKind::VonNeumann),
-    ("none", ViscosityKind::None),
-];
-
-const EXACT: &[(&str, Exact)] = &[("riemann", Exact::Riemann)];
-
-/// Courant number where none is given.
-const DEFAULT_COURANT: f64 = 0.3;
-
-/// Rows of the time series where none are given.
-const DEFAULT_SAMPLES: usize = 100;
-
-/// The scenario that `text`, called `name`, describes.
-pub(super) fn scenario(text: String, name: &str) -> Result<Scenario, ScenarioError> {
-    let scenario = parsed(&text).map_err(|fault| fault.within(name, &text))?;
+/// The scenario that `text`, called `name`, describes; files it names are in `folder`.
+pub(super) fn scenario(text: String, name: &str, folder: &Path) -> Result<Scenario, ScenarioError> {
+    let scenario = parsed(&text, folder).map_err(|fault| fault.within(name, &text))?;
     Ok(Scenario { text, ..scenario })
 }
 
-fn parsed(text: &str) -> Result<Scenario, Fault> {
+fn parsed(text: &str, folder: &Path) -> Result<Scenario, Fault> {
     let end = text.trim_end().len();
     let document = DeTable::parse(text).map_err(|error| {
         let message = error.message().to_owned();
@@ -75,6 +28,7 @@ fn parsed(text: &str) -> Result<Scenario, Fault> {
         )
     })?;
     let root = Section::open(ROOT, document.get_ref(), end..end)?;
+    let section = |key| root.required(key)?.section();
     let name = plain_name(&root)?;
     let description = label(&root, "description", "")?;
     let dimension = root.required("dimension")?.count(
@@ -82,23 +36,62 @@ fn parsed(text: &str) -> Result<Scenario, Fault> {
         "1, 2 or 3",
         "give the number of directions of space",
     )?;
-    let domain = geometry::domain(&root.required("domain")?.section()?, dimension)?;
-    let regions = regions(&root, &domain.extent)?;
-    let output = output(&root, &domain.extent, &regions)?;
+    let domain = geometry::domain(&section("domain")?, dimension)?;
+    let gas = gas(&root, &domain)?;
+    let resolution = resolution::resolution(
+        &section("resolution")?,
+        folder,
+        &domain,
+        gas.profile.as_ref(),
+    )?;
+    // A file of particles says itself how the gas is.
+    let described = !gas.regions.is_empty() || gas.profile.is_some();
+    if !described && !matches!(resolution.arrangement, Arrangement::File(_)) {
+        return Err(Fault::new(Problem::Gas { both: false }, root.span()));
+    }
+    let output = output::output(&root, &domain.extent, &gas)?;
     Ok(Scenario {
         name,
         description,
         dimension,
         units: units(&root)?,
         domain,
-        regions,
-        material: material(&root.required("material")?.section()?)?,
-        resolution: resolution(&root.required("resolution")?.section()?)?,
-        cut_off: cut_off(&root.required("cut-off")?.section()?)?,
-        viscosity: viscosity(&root.required("viscosity")?.section()?)?,
-        time: time(&root.required("time")?.section()?)?,
+        regions: gas.regions,
+        profile: gas.profile,
+        materials: gas.materials,
+        deposits: gas.deposits,
+        resolution,
+        weights: method::weights(&root)?,
+        cut_off: cut_off::cut_off(&section("cut-off")?)?,
+        viscosity: method::viscosity(&section("viscosity")?)?,
+        conduction: method::conduction(&root)?,
+        diffusion: method::diffusion(&root)?,
+        acceleration: method::acceleration(&root, dimension)?,
+        time: method::time(&section("time")?)?,
+        tolerances: tolerance::tolerances(&root, &output)?,
         output,
         text: String::new(),
+    })
+}
+
+/// What there is at t = 0.
+fn gas(root: &Section<'_>, domain: &Domain) -> Result<Gas, Fault> {
+    let materials = material::materials(root)?;
+    let (region, profile) = (root.optional("region"), root.optional("profile"));
+    if let (Some(_), Some(profile)) = (&region, &profile) {
+        return Err(profile.fault(Problem::Gas { both: true }));
+    }
+    Ok(Gas {
+        regions: match region {
+            Some(entry) => region::regions(&entry, &domain.extent, &materials)?,
+            None => Vec::new(),
+        },
+        profile: match profile {
+            Some(entry) => Some(profile::profile(&entry, domain, &materials)?),
+            None => None,
+        },
+        deposits: region::deposits(root, &domain.extent, &materials)?,
+        materials,
     })
 }
 
@@ -134,114 +127,4 @@ fn units(root: &Section<'_>) -> Result<Units, Fault> {
         mass: label(&section, "mass", "1")?,
         time: label(&section, "time", "1")?,
     })
-}
-
-fn regions(root: &Section<'_>, domain: &Extent) -> Result<Vec<Region>, Fault> {
-    let entry = root.required("region")?;
-    let entries = entry.list("one or more [[region]]")?;
-    if entries.is_empty() {
-        return Err(root.missing("region"));
-    }
-    let mut regions: Vec<Region> = Vec::with_capacity(entries.len());
-    for entry in entries {
-        let section = entry.section()?;
-        let region = region(&section, domain)?;
-        geometry::clear_of_overlap(&section, &region.extent, &regions)?;
-        regions.push(region);
-    }
-    Ok(regions)
-}
-
-fn region(section: &Section<'_>, domain: &Extent) -> Result<Region, Fault> {
-    Ok(Region {
-        extent: geometry::extent_inside(section, domain)?,
-        density: section.required("density")?.number(POSITIVE)?,
-        velocity: section.required("velocity")?.vector(domain.lower.len())?,
-        pressure: section.required("pressure")?.number(POSITIVE)?,
-    })
-}
-
-fn material(section: &Section<'_>) -> Result<Material, Fault> {
-    section
-        .required("equation-of-state")?
-        .choice(&[("ideal-gas", ())])?;
-    let gamma = section.required("gamma")?.number(GAMMA)?;
-    Ok(Material::IdealGas { gamma })
-}
-
-fn resolution(section: &Section<'_>) -> Result<Resolution, Fault> {
-    let particles = section.required("particles")?.count(
-        u32::MAX,
-        "1 to 4294967295",
-        "give the number of particles in the whole domain, for example 900",
-    )?;
-    let arrangement = section.required("arrangement")?.choice(ARRANGEMENTS)?;
-    Ok(Resolution {
-        particles,
-        arrangement,
-    })
-}
-
-fn cut_off(section: &Section<'_>) -> Result<CutOff, Fault> {
-    let shape = section.required("name")?.choice(SHAPES)?;
-    let width = match (section.optional("eta"), section.optional("epsilon")) {
-        (Some(eta), None) => Width::Adaptive {
-            eta: eta.number(POSITIVE)?,
-        },
-        (None, Some(epsilon)) => Width::Constant {
-            epsilon: epsilon.number(POSITIVE)?,
-        },
-        (Some(_), Some(epsilon)) => return Err(epsilon.fault(Problem::Width { both: true })),
-        (None, None) => return Err(Fault::new(Problem::Width { both: false }, section.span())),
-    };
-    Ok(CutOff { shape, width })
-}
-
-fn viscosity(section: &Section<'_>) -> Result<Viscosity, Fault> {
-    let kind = section.required("kind")?.choice(KINDS)?;
-    if kind == ViscosityKind::None {
-        // So that `--set viscosity.kind=none` alone switches it off.
-        return Ok(Viscosity {
-            kind,
-            alpha: 0.0,
-            beta: 0.0,
-        });
-    }
-    let alpha = section.required("alpha")?.number(NOT_NEGATIVE)?;
-    let beta = section.required("beta")?.number(NOT_NEGATIVE)?;
-    Ok(Viscosity { kind, alpha, beta })
-}
-
-fn time(section: &Section<'_>) -> Result<Time, Fault> {
-    let end = section.required("end")?.number(POSITIVE)?;
-    let courant = section.optional("courant");
-    let courant = courant.map_or(Ok(DEFAULT_COURANT), |entry| entry.number(COURANT))?;
-    Ok(Time { end, courant })
-}
-
-fn output(root: &Section<'_>, domain: &Extent, regions: &[Region]) -> Result<Output, Fault> {
-    let mut output = Output {
-        window: domain.clone(),
-        samples: DEFAULT_SAMPLES,
-        exact: None,
-    };
-    let Some(entry) = root.optional("output") else {
-        return Ok(output);
-    };
-    let section = entry.section()?;
-    if let Some(window) = section.optional("window") {
-        output.window = geometry::extent_inside(&window.section()?, domain)?;
-    }
-    if let Some(samples) = section.optional("samples") {
-        let cure = "give the number of rows of the time series, for example 100";
-        output.samples = samples.count(u32::MAX, "1 to 4294967295", cure)?;
-    }
-    if let Some(exact) = section.optional("exact") {
-        let chosen = exact.choice(EXACT)?;
-        if let Some(reason) = geometry::not_riemann(regions) {
-            return Err(exact.fault(Problem::NotRiemann { reason }));
-        }
-        output.exact = Some(chosen);
-    }
-    Ok(output)
 }

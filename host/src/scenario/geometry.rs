@@ -1,9 +1,10 @@
-//! The boxes of a scenario: domain, regions, window.
+//! The boxes and balls of a scenario: domain, regions, deposits, window.
 
+use super::bound::POSITIVE;
 use super::error::Fault;
 use super::problem::Problem;
 use super::section::{Entry, Section};
-use super::{Domain, Extent, Region, Side};
+use super::{Ball, Domain, Extent, Region, Side};
 
 const SIDES: &[(&str, Side)] = &[
     ("periodic", Side::Periodic),
@@ -89,6 +90,9 @@ pub(super) fn clear_of_overlap(
     regions: &[Region],
 ) -> Result<(), Fault> {
     for (first, other) in regions.iter().enumerate() {
+        if other.ball.is_some() {
+            continue;
+        }
         let Some((axis, lower, upper)) = shared(extent, &other.extent) else {
             continue;
         };
@@ -118,16 +122,45 @@ fn shared(a: &Extent, b: &Extent) -> Option<(char, f64, f64)> {
     thinnest.filter(|_| overlaps)
 }
 
-/// Why the regions are no Riemann problem, if they are none: it takes one
-/// dimension and two regions that touch.
-pub(super) fn not_riemann(regions: &[Region]) -> Option<String> {
+/// The ball of `section`, whose centre must lie in the domain.
+pub(super) fn ball(section: &Section<'_>, domain: &Extent) -> Result<Ball, Fault> {
+    let entry = section.required("center")?;
+    let center = entry.vector(domain.lower.len())?;
+    let bounds = domain.lower.iter().zip(&domain.upper);
+    for ((&value, (&lower, &upper)), axis) in center.iter().zip(bounds).zip(AXES) {
+        if value < lower || value > upper {
+            return Err(entry.fault(Problem::OutsideDomain {
+                key: entry.key().to_owned(),
+                axis,
+                value,
+                lower,
+                upper,
+            }));
+        }
+    }
+    let radius = section.required("radius")?.number(POSITIVE)?;
+    Ok(Ball { center, radius })
+}
+
+/// The direction across which two boxes touch, or why they are no Riemann problem.
+pub(super) fn riemann_direction(regions: &[Region]) -> Result<usize, String> {
     let [a, b] = regions else {
         let count = regions.len();
-        return Some(format!("the number of regions is {count}"));
+        return Err(format!("the number of regions is {count}"));
     };
-    let ([a_lower], [b_lower]) = (a.extent.lower.as_slice(), b.extent.lower.as_slice()) else {
-        return Some(format!("dimension = {}", a.extent.lower.len()));
-    };
-    let touch = a.extent.upper.contains(b_lower) || b.extent.upper.contains(a_lower);
-    (!touch).then(|| "the two regions do not touch".to_owned())
+    if a.ball.is_some() || b.ball.is_some() {
+        return Err("a region is a ball".to_owned());
+    }
+    let (a, b) = (&a.extent, &b.extent);
+    let touch = |&i: &usize| a.upper[i] == b.lower[i] || b.upper[i] == a.lower[i];
+    let direction = (0..a.lower.len()).find(touch);
+    let direction = direction.ok_or_else(|| "the two regions do not touch".to_owned())?;
+    let mut others = (0..a.lower.len()).filter(|&i| i != direction);
+    match others.find(|&i| [a.lower[i], a.upper[i]] != [b.lower[i], b.upper[i]]) {
+        Some(i) => Err(format!(
+            "the two regions span unequal stretches along {}",
+            AXES[i]
+        )),
+        None => Ok(direction),
+    }
 }

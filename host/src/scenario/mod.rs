@@ -3,23 +3,40 @@
 //! After [`Scenario::read`] every number is finite and in its range, every list
 //! has the scenario's dimension, and every box lies in the domain.
 
+mod bound;
 mod builtin;
 mod check;
+mod cut_off;
 mod error;
 mod geometry;
 mod keys;
+mod material;
+mod method;
 mod nearest;
+mod output;
 mod problem;
+mod profile;
+mod region;
+mod resolution;
 mod section;
 mod set;
 mod source;
 #[cfg(test)]
 mod tests;
+mod tolerance;
 
 pub use builtin::{BUILT_IN, BuiltIn, built_in};
+pub use cut_off::{CutOff, CutOffShape, Width};
 pub use error::ScenarioError;
+pub use material::{EquationOfState, Material};
+pub use method::{Diffusion, EnergyRule, Switch, Time, Viscosity, ViscosityKind, Weights};
+pub use output::{Exact, Interval, Output, Ring, SnapshotFormat, Snapshots};
 pub use problem::Problem;
+pub use profile::Profile;
+pub use region::{Deposit, Region};
+pub use resolution::{Arrangement, Resolution, Share};
 pub use source::Source;
+pub use tolerance::{Field, Norm, Tolerance};
 
 /// What to simulate. All numbers are in the scenario's own units.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,20 +52,35 @@ pub struct Scenario {
     pub units: Units,
     /// The box that is simulated, and its sides.
     pub domain: Domain,
-    /// The gas at t = 0, in the order of the file; boxes in the domain, none overlapping.
+    /// The gas at t = 0, in the order of the file: no two boxes overlap, balls lie on top of
+    /// boxes and of earlier balls. Empty with a profile; may be empty with a file.
     pub regions: Vec<Region>,
-    /// The gas law.
-    pub material: Material,
+    /// The gas at t = 0 where it varies from place to place: made of the first material.
+    pub profile: Option<Profile>,
+    /// The substances, at least one; regions name them by their place here.
+    pub materials: Vec<Material>,
+    /// Energy added at t = 0.
+    pub deposits: Vec<Deposit>,
     /// How many particles, and how they are placed.
     pub resolution: Resolution,
+    /// What a particle's weight in the sums is.
+    pub weights: Weights,
     /// The function that smears a particle.
     pub cut_off: CutOff,
     /// The pseudo-viscosity.
     pub viscosity: Viscosity,
+    /// Factor of the artificial conductivity, >= 0; 0 for none.
+    pub conduction: f64,
+    /// Physical diffusion.
+    pub diffusion: Diffusion,
+    /// Acceleration of everything.
+    pub acceleration: Vec<f64>,
     /// How long, and in what steps.
     pub time: Time,
     /// What is written and measured.
     pub output: Output,
+    /// The largest errors that a run may have; empty without `output.exact`.
+    pub tolerances: Vec<Tolerance>,
     /// The TOML text after `--set`, comments included: reading it gives this scenario.
     pub text: String,
 }
@@ -93,135 +125,37 @@ pub enum Side {
     Free,
 }
 
-/// A box of uniform gas at t = 0.
+/// A ball: an interval in one dimension, a disc in two.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Region {
-    /// Its place.
-    pub extent: Extent,
-    /// Mass / length^dimension, > 0.
-    pub density: f64,
-    /// Length / time.
-    pub velocity: Vec<f64>,
-    /// Density * velocity^2, > 0.
-    pub pressure: f64,
+pub struct Ball {
+    /// Its centre.
+    pub center: Vec<f64>,
+    /// > 0.
+    pub radius: f64,
 }
 
-/// The gas law.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Material {
-    /// `p = (gamma - 1) rho e`.
-    IdealGas {
-        /// Ratio of the specific heats, > 1.
-        gamma: f64,
-    },
+impl Ball {
+    /// The box around it.
+    pub fn extent(&self) -> Extent {
+        Extent {
+            lower: self.center.iter().map(|x| x - self.radius).collect(),
+            upper: self.center.iter().map(|x| x + self.radius).collect(),
+        }
+    }
+
+    /// Squared distance of a point from the centre.
+    pub fn distance_squared(&self, point: &[f64]) -> f64 {
+        let components = self.center.iter().zip(point);
+        components.map(|(c, x)| (x - c) * (x - c)).sum()
+    }
 }
 
-/// How many particles, and how they are placed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Resolution {
-    /// In all regions together, at least 1.
-    pub particles: usize,
-    /// How they are placed.
-    pub arrangement: Arrangement,
-}
-
-/// How the particles are placed at t = 0.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Arrangement {
-    /// All particles have the same mass: denser gas, smaller spacing.
-    EqualMass,
-}
-
-/// The cut-off: its shape and its width.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CutOff {
-    /// The shape.
-    pub shape: CutOffShape,
-    /// The width.
-    pub width: Width,
-}
-
-/// The shape of a cut-off.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum CutOffShape {
-    /// The cubic B-spline M4.
-    CubicSpline,
-    /// The quintic B-spline M6.
-    QuinticSpline,
-    /// Wendland's C2 function.
-    WendlandC2,
-    /// Wendland's C4 function.
-    WendlandC4,
-    /// Wendland's C6 function.
-    WendlandC6,
-    /// A polynomial in the squared distance: no root to take.
-    RootFree,
-}
-
-/// The width of a cut-off.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Width {
-    /// `eps_k = eta (m_k/rho_k)^(1/dimension)`.
-    Adaptive {
-        /// In mean spacings, > 0.
-        eta: f64,
-    },
-    /// The same for all particles and times.
-    Constant {
-        /// A length, > 0.
-        epsilon: f64,
-    },
-}
-
-/// The pseudo-viscosity.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Viscosity {
-    /// Its form.
-    pub kind: ViscosityKind,
-    /// Factor of the linear term, >= 0; 0 for `ViscosityKind::None`.
-    pub alpha: f64,
-    /// Factor of the quadratic term, >= 0; 0 for `ViscosityKind::None`.
-    pub beta: f64,
-}
-
-/// The form of the pseudo-viscosity.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ViscosityKind {
-    /// Along the line of centres, with the signal speed of the pair.
-    Pairwise,
-    /// Gingold and Monaghan 1983.
-    GingoldMonaghan,
-    /// Added to the pressure where the gas is compressed.
-    VonNeumann,
-    /// No pseudo-viscosity.
-    None,
-}
-
-/// How long, and in what steps.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Time {
-    /// Duration of the run, > 0.
-    pub end: f64,
-    /// Step / (width / signal speed), in (0, 1].
-    pub courant: f64,
-}
-
-/// What is written and measured.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Output {
-    /// Where errors are measured; in the domain.
-    pub window: Extent,
-    /// Rows of the time series, equally spaced in time, at least 1.
-    pub samples: usize,
-    /// The exact solution to compare with.
-    pub exact: Option<Exact>,
-}
-
-/// An exact solution to compare with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Exact {
-    /// The Riemann problem: dimension 1, two regions that touch.
-    Riemann,
+/// What a scenario says of the state at t = 0.
+struct Gas {
+    regions: Vec<Region>,
+    profile: Option<Profile>,
+    deposits: Vec<Deposit>,
+    materials: Vec<Material>,
 }
 
 impl Scenario {
@@ -233,10 +167,17 @@ impl Scenario {
     /// its place and cure.
     pub fn read(source: Source, overrides: &[String]) -> Result<Self, ScenarioError> {
         let original = source.text()?;
+        let folder = source.folder();
         if overrides.is_empty() {
-            return check::scenario(original, &source.to_string());
+            return check::scenario(original, &source.to_string(), folder);
         }
         let text = set::with_overrides(&original, &source.to_string(), overrides)?;
-        check::scenario(text, &format!("{source} after --set"))
+        check::scenario(text, &format!("{source} after --set"), folder)
+    }
+
+    /// The direction across which the two regions of a Riemann problem touch; none if it is
+    /// no Riemann problem.
+    pub fn riemann_direction(&self) -> Option<usize> {
+        geometry::riemann_direction(&self.regions).ok()
     }
 }

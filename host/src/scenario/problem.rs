@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-use super::keys::{Key, example, keys_of};
+use super::keys::{Key, LISTS, example, keys_of};
 use super::nearest::nearest;
 
 /// What is wrong with a scenario. `Display` states it with the offending value;
@@ -69,7 +69,7 @@ pub enum Problem {
     UnknownName {
         key: String,
         name: String,
-        known: Vec<&'static str>,
+        known: Vec<String>,
     },
     /// A scenario name that cannot name a folder of results.
     #[error("name = \"{name}\" is not a plain name")]
@@ -113,9 +113,17 @@ pub enum Problem {
     /// Both widths of the cut-off, or neither.
     #[error("[cut-off] has {}", if *both { "both eta and epsilon" } else { "neither eta nor epsilon" })]
     Width { both: bool },
-    /// A scenario for which the exact solution asked for does not exist.
-    #[error("output.exact = \"riemann\" does not fit: {reason}")]
-    NotRiemann { reason: String },
+    /// A value that does not go with the rest of the scenario.
+    #[error("{key} = {value} does not fit: {reason}")]
+    DoesNotFit {
+        key: String,
+        value: String,
+        reason: String,
+        cure: String,
+    },
+    /// Neither, or more than one, of what can say how the gas is at t = 0.
+    #[error("there is {}", if *both { "both [profile] and [[region]]" } else { "neither [[region]] nor [profile]" })]
+    Gas { both: bool },
 
     /// A `--set` that is not `section.key=value`.
     #[error("--set {argument} is not of the form section.key=value")]
@@ -130,10 +138,11 @@ pub enum Problem {
     /// A `--set` of a whole section.
     #[error("--set {key} names a section, need one of its keys")]
     SetSection { key: String, section: String },
-    /// A `--set` of a region that does not exist.
-    #[error("--set {key}: there is no region {index}, the file has {count}")]
+    /// A `--set` of a region, material or deposit that does not exist.
+    #[error("--set {key}: there is no {list} {index}, the file has {count}")]
     SetIndex {
         key: String,
+        list: &'static str,
         index: String,
         count: usize,
     },
@@ -182,19 +191,15 @@ impl Problem {
                 unknown, section, ..
             } => known_keys(unknown, section),
             Self::SetSection { section, .. } => match keys_of(section).first() {
-                Some(Key { name, .. }) if section == "region" => format!(
-                    "number the region from 0, as --set region.0.{name}=...; {}",
-                    known_keys("", section)
-                ),
                 Some(Key { name, .. }) => format!(
                     "for example --set {section}.{name}=...; {}",
                     known_keys("", section)
                 ),
                 None => known_keys("", ""),
             },
-            Self::SetIndex { count: 0, .. } => "add a [[region]] to the file".to_owned(),
-            Self::SetIndex { count, .. } => {
-                format!("regions are numbered from 0 to {}", count - 1)
+            Self::SetIndex { count: 0, list, .. } => format!("add a [[{list}]] to the file"),
+            Self::SetIndex { count, list, .. } => {
+                format!("{list}s are numbered from 0 to {}", count - 1)
             }
             Self::SetValue { key, .. } => format!(
                 "write a number, a list as '{key}=[0.0, 1.0]', a word, or quoted text as \
@@ -218,7 +223,7 @@ impl Problem {
             Self::OutOfRange { cure, .. } => (*cure).to_owned(),
             Self::UnknownName { name, known, .. } => format!(
                 "{}known: {}",
-                did_you_mean(name, known.iter().copied()),
+                did_you_mean(name, known.iter().map(String::as_str)),
                 known.join(", ")
             ),
             Self::NotPlain { .. } => {
@@ -246,8 +251,10 @@ impl Problem {
             Self::Width { both: false } => "add `eta = 1.2` (width in mean spacings, adapts to \
                  the density) or `epsilon = 0.01` (constant width, a length)"
                 .to_owned(),
-            Self::NotRiemann { .. } => "it needs dimension = 1 and exactly two regions that \
-                 touch; otherwise leave `exact` out"
+            Self::DoesNotFit { cure, .. } => cure.clone(),
+            Self::Gas { both: true } => "keep one: [profile], or every [[region]]".to_owned(),
+            Self::Gas { both: false } => "add a [[region]] with lower, upper, density, velocity \
+                 and pressure, or a [profile] with its kind"
                 .to_owned(),
             _ => String::new(),
         }
@@ -258,8 +265,10 @@ impl Problem {
 fn within(section: &str) -> String {
     match section.split_once('.') {
         None if section.is_empty() => "at the top of the file".to_owned(),
-        None if section == "region" => "in [[region]]".to_owned(),
-        Some(("region", index)) => format!("in [[region]] {index} (numbered from 0)"),
+        None if LISTS.contains(&section) && section != "material" => format!("in [[{section}]]"),
+        Some((list, index)) if LISTS.contains(&list) => {
+            format!("in [[{list}]] {index} (numbered from 0)")
+        }
         _ => format!("in [{section}]"),
     }
 }

@@ -1,6 +1,6 @@
 //! Typed, checked values out of parsed TOML, each with its place in the text.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -92,6 +92,30 @@ impl<'a> Section<'a> {
         Fault::new(Problem::MissingKey { key, section }, self.span())
     }
 
+    /// That it has no keys but those of its `kind` and the `common` ones.
+    ///
+    /// # Errors
+    /// The first other key, in the order of the text.
+    pub fn only(&self, kind: &str, common: &[&str], own: &[&'static str]) -> Result<(), Fault> {
+        let fits = |key: &str| common.contains(&key) || own.contains(&key);
+        let other = self.table.iter().filter(|(key, _)| !fits(key.get_ref()));
+        let Some((key, value)) = other.min_by_key(|(key, _)| key.span().start) else {
+            return Ok(());
+        };
+        let name = key.get_ref();
+        let takes = match own {
+            [] => "nothing".to_owned(),
+            own => own.join(", "),
+        };
+        let problem = Problem::DoesNotFit {
+            key: keys::path(&self.path, name),
+            value: shown(value.get_ref()),
+            reason: format!("{kind} has no {name}"),
+            cure: format!("take `{name}` out: {kind} takes {takes}"),
+        };
+        Err(Fault::new(problem, key.span()))
+    }
+
     /// The path of keys that leads to it; empty above all sections.
     pub fn path(&self) -> &str {
         &self.path
@@ -140,16 +164,49 @@ impl<'a> Entry<'a> {
         }
     }
 
+    /// The fault that the value does not go with the rest of the scenario.
+    pub fn does_not_fit(&self, reason: String, cure: &str) -> Fault {
+        self.fault(Problem::DoesNotFit {
+            key: self.key.clone(),
+            value: self.shown(),
+            reason,
+            cure: cure.to_owned(),
+        })
+    }
+
+    /// Whether it is a section or a table in braces.
+    pub fn is_section(&self) -> bool {
+        matches!(self.value.get_ref(), DeValue::Table(_))
+    }
+
     /// A whole number in `1..=most`.
     pub fn count(&self, most: u32, need: &'static str, cure: &'static str) -> Result<usize, Fault> {
+        let value = self.whole(1..=u64::from(most), need, cure)?;
+        usize::try_from(value).map_err(|_| self.out_of_range(need, cure))
+    }
+
+    /// A whole number in a range.
+    pub fn whole(
+        &self,
+        range: RangeInclusive<u64>,
+        need: &'static str,
+        cure: &'static str,
+    ) -> Result<u64, Fault> {
         let DeValue::Integer(integer) = self.value.get_ref() else {
             return Err(self.wrong_type("a whole number"));
         };
         integer_value(integer)
-            .and_then(|value| u32::try_from(value).ok())
-            .filter(|value| (1..=most).contains(value))
-            .and_then(|value| usize::try_from(value).ok())
+            .and_then(|value| u64::try_from(value).ok())
+            .filter(|value| range.contains(value))
             .ok_or_else(|| self.out_of_range(need, cure))
+    }
+
+    /// `true` or `false`.
+    pub fn truth(&self) -> Result<bool, Fault> {
+        match self.value.get_ref() {
+            DeValue::Boolean(truth) => Ok(*truth),
+            _ => Err(self.wrong_type("true or false")),
+        }
     }
 
     /// Text.
@@ -161,14 +218,23 @@ impl<'a> Entry<'a> {
     }
 
     /// One of the names in a table.
-    pub fn choice<T: Copy>(&self, names: &[(&'static str, T)]) -> Result<T, Fault> {
+    pub fn choice<T: Clone>(&self, names: &[(&'static str, T)]) -> Result<T, Fault> {
+        let place = self.choice_of(names.iter().map(|(name, _)| *name))?;
+        Ok(names[place].1.clone())
+    }
+
+    /// The place of the text in a list of names.
+    pub fn choice_of<'n>(
+        &self,
+        names: impl Iterator<Item = &'n str> + Clone,
+    ) -> Result<usize, Fault> {
         let text = self.text()?;
-        let chosen = names.iter().find(|(name, _)| *name == text);
-        chosen.map(|(_, value)| *value).ok_or_else(|| {
+        let place = names.clone().position(|name| name == text);
+        place.ok_or_else(|| {
             self.fault(Problem::UnknownName {
                 key: self.key.clone(),
                 name: text.to_owned(),
-                known: names.iter().map(|(name, _)| *name).collect(),
+                known: names.map(str::to_owned).collect(),
             })
         })
     }

@@ -4,13 +4,13 @@
 use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use super::error::{Fault, Place, ScenarioError};
-use super::keys::{self, ROOT, keys_of};
+use super::keys::{self, LISTS, ROOT, keys_of};
 use super::problem::Problem;
 
 /// The text with the changes made, comments and the order of keys kept.
 ///
 /// A change to one of `cut-off.eta` and `cut-off.epsilon` takes out the other,
-/// since a scenario has exactly one of them.
+/// since a scenario has exactly one of them; so with `every` and `steps` of snapshots.
 pub(super) fn with_overrides(
     text: &str,
     name: &str,
@@ -85,9 +85,17 @@ fn place(root: &mut Table, path: &str, keys: &[&str], value: Value) -> Result<()
                 Some(deeper) => Err(unknown(path, deeper, &inner)),
             };
         }
-        if inner == "region" {
-            let index = keys.next().ok_or_else(|| whole_section(path, &inner))?;
-            table = region(table, path, index)?;
+        let list = LISTS.into_iter().find(|list| *list == inner);
+        // One material needs no number.
+        let list = list.filter(|_| !table.get(key).is_some_and(Item::is_table_like));
+        if let Some(list) = list {
+            let index = keys.next().ok_or_else(|| {
+                Box::new(Problem::SetSection {
+                    key: path.to_owned(),
+                    section: format!("{list}.0"),
+                })
+            })?;
+            table = numbered(table, list, path, index)?;
             section = keys::path(&inner, index);
         } else {
             table = subsection(table, key, section == ROOT)
@@ -98,15 +106,16 @@ fn place(root: &mut Table, path: &str, keys: &[&str], value: Value) -> Result<()
     Err(whole_section(path, &section))
 }
 
-/// The region of this number, counted from 0.
-fn region<'a>(
+/// The section of this number in a list, counted from 0.
+fn numbered<'a>(
     root: &'a mut dyn TableLike,
+    list: &'static str,
     path: &str,
     index: &str,
 ) -> Result<&'a mut dyn TableLike, Box<Problem>> {
     let number: Option<usize> = index.parse().ok();
     let mut count = 0;
-    let found: Option<&mut dyn TableLike> = match root.get_mut("region") {
+    let found: Option<&mut dyn TableLike> = match root.get_mut(list) {
         Some(Item::ArrayOfTables(tables)) => {
             count = tables.len();
             number
@@ -124,6 +133,7 @@ fn region<'a>(
     found.ok_or_else(|| {
         Box::new(Problem::SetIndex {
             key: path.to_owned(),
+            list,
             index: index.to_owned(),
             count,
         })
@@ -152,6 +162,8 @@ fn put(table: &mut dyn TableLike, key: &str, mut value: Value) {
     match key {
         "eta" => drop(table.remove("epsilon")),
         "epsilon" => drop(table.remove("eta")),
+        "every" => drop(table.remove("steps")),
+        "steps" => drop(table.remove("every")),
         _ => {}
     }
     match table.get_mut(key) {

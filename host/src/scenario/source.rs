@@ -40,6 +40,14 @@ impl fmt::Display for Source {
 }
 
 impl Source {
+    /// The folder that files named in the text are looked for in.
+    pub(super) fn folder(&self) -> &Path {
+        match self {
+            Self::BuiltIn(_) => Path::new(""),
+            Self::File(path) => path.parent().unwrap_or(Path::new("")),
+        }
+    }
+
     /// The TOML text as it stands there.
     ///
     /// # Errors

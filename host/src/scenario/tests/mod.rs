@@ -6,6 +6,8 @@ use miette::{GraphicalReportHandler, GraphicalTheme};
 
 use super::*;
 
+mod format;
+
 const SOD: &str = BUILT_IN[0].text;
 
 /// A scenario text in a file of its own, kept until dropped.
@@ -62,7 +64,11 @@ fn the_built_in_sod_tube_reads_as_published() {
     let state = |region: &Region| (region.density, region.velocity[0], region.pressure);
     let states: Vec<_> = sod.regions.iter().map(state).collect();
     assert_eq!(states, [(1.0, 0.0, 1.0), (0.125, 0.0, 0.1)]);
-    assert_eq!(sod.material, Material::IdealGas { gamma: 1.4 });
+    assert_eq!(sod.materials.len(), 1);
+    assert_eq!(
+        sod.materials[0].law,
+        EquationOfState::IdealGas { gamma: 1.4 }
+    );
     assert_eq!(sod.cut_off.shape, CutOffShape::CubicSpline);
     assert_eq!(sod.cut_off.width, Width::Adaptive { eta: 1.2 });
     assert_eq!(sod.resolution.particles, 900);
@@ -116,7 +122,10 @@ fn set_changes_one_value_and_keeps_the_comments() {
         "units.length=m",
     ])
     .unwrap();
-    assert_eq!(changed.material, Material::IdealGas { gamma: 2.0 });
+    assert_eq!(
+        changed.materials[0].law,
+        EquationOfState::IdealGas { gamma: 2.0 }
+    );
     assert_eq!(changed.regions[0].density, 3.0);
     assert_eq!(changed.viscosity.kind, ViscosityKind::None);
     assert_eq!(changed.output.window.lower, [-0.25]);
@@ -160,7 +169,7 @@ const FAULTS: &[Case] = &[
     ("end = 0.2", "end = 0.2\nend = 0.3", "end = 0.3", "duplicate key", "a line is"),
     ("gamma = 1.4", "gama = 1.4", "gama", "unknown key `gama` in [material]", "did you mean `gamma`? the keys in [material] are: equation-of-state, gamma"),
     ("[cut-off]", "[cut_off]", "[cut_off]", "unknown key `cut_off` at the top", "did you mean `cut-off`?"),
-    ("density = 0.125", "rho = 0.125", "rho", "`rho` in [[region]] 1", "lower, upper, density, velocity, pressure"),
+    ("density = 0.125", "rho = 0.125", "rho", "`rho` in [[region]] 1", "lower, upper, center, radius, material, density, velocity, pressure"),
     ("samples = 100", "sample = 100", "sample", "`sample` in [output]", "did you mean `samples`?"),
     ("gamma = 1.4", "", "[material]", "`gamma` is missing in [material]", "`gamma = 1.4`"),
     ("[viscosity]", "", "kind", "unknown key `kind`", "the keys in [cut-off]"),
@@ -199,10 +208,10 @@ const FAULTS: &[Case] = &[
     // Choices.
     ("sides = [\"mirror\"]", "sides = [\"miror\"]", "sides", "domain.sides.0 = \"miror\" is unknown", "did you mean `mirror`? known: periodic, mirror, free"),
     ("name = \"cubic-spline\"", "name = \"cubic\"", "name", "cut-off.name = \"cubic\"", "known: cubic-spline, quintic-spline, wendland-c2, wendland-c4, wendland-c6, root-free"),
-    ("kind = \"pairwise\"", "kind = \"von-neumann\"", "kind", "viscosity.kind = \"von-neumann\"", "did you mean `von_neumann`? known: pairwise, gingold_monaghan, von_neumann, none"),
-    ("equation-of-state = \"ideal-gas\"", "equation-of-state = \"gas\"", "equation-of-state", "\"gas\" is unknown", "known: ideal-gas"),
-    ("arrangement = \"equal-mass\"", "arrangement = \"grid\"", "arrangement", "\"grid\" is unknown", "known: equal-mass"),
-    ("exact = \"riemann\"", "exact = \"sod\"", "exact", "output.exact = \"sod\"", "known: riemann"),
+    ("kind = \"pairwise\"", "kind = \"von-neumann\"", "kind", "viscosity.kind = \"von-neumann\"", "did you mean `von_neumann`? known: pairwise, gingold_monaghan, von_neumann, limited, none"),
+    ("equation-of-state = \"ideal-gas\"", "equation-of-state = \"gas\"", "equation-of-state", "\"gas\" is unknown", "known: ideal-gas, stiffened-gas, isothermal, tait"),
+    ("arrangement = \"equal-mass\"", "arrangement = \"grid\"", "arrangement", "\"grid\" is unknown", "known: equal-mass, square, hexagonal, cubic, close-packed, sampled, glass, file"),
+    ("exact = \"riemann\"", "exact = \"sod\"", "exact", "output.exact = \"sod\"", "known: riemann, sedov, profile, reference"),
     ("name = \"sod\"", "name = \"../sod\"", "name", "name = \"../sod\" is not a plain name", "letters, digits"),
     ("eta = 1.2", "eta = 1.2\nepsilon = 0.01", "epsilon", "both eta and epsilon", "keep one"),
     ("eta = 1.2", "", "[cut-off]", "neither eta nor epsilon", "add `eta = 1.2`"),

@@ -1,0 +1,47 @@
+//! The ranges of numbers that several keys share.
+
+use super::section::Bound;
+
+pub(super) const POSITIVE: Bound = Bound {
+    need: "> 0",
+    holds: |value| value > 0.0,
+    cure: "give a number larger than 0",
+};
+
+pub(super) const NOT_NEGATIVE: Bound = Bound {
+    need: ">= 0",
+    holds: |value| value >= 0.0,
+    cure: "give 0 or a positive number",
+};
+
+pub(super) const DAMPING: Bound = Bound {
+    need: ">= 0",
+    holds: |value| value >= 0.0,
+    cure: "give 0 or a positive number: a negative one would feed shocks instead of damping them",
+};
+
+pub(super) const GAMMA: Bound = Bound {
+    need: "> 1",
+    holds: |value| value > 1.0,
+    cure: "give the ratio of the specific heats, for example 1.4 for air or 1.6667 for argon",
+};
+
+pub(super) const COURANT: Bound = Bound {
+    need: "> 0 and at most 1",
+    holds: |value| value > 0.0 && value <= 1.0,
+    cure: "0.3 is safe; larger steps are faster and less stable",
+};
+
+pub(super) const FRACTION: Bound = Bound {
+    need: ">= 0 and < 0.5",
+    holds: |value| (0.0..0.5).contains(&value),
+    cure: "give the fraction of a spacing by which a particle may be moved: from 0.5 on two \
+           particles could meet",
+};
+
+pub(super) const AMPLITUDE: Bound = Bound {
+    need: "> -1 and < 1",
+    holds: |value| value > -1.0 && value < 1.0,
+    cure: "give the relative change of the density, for example 1e-3: from 1 on the density \
+           would fall to 0",
+};

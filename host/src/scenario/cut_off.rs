@@ -1,0 +1,72 @@
+//! The cut-off: its shape and its width.
+
+use super::bound::POSITIVE;
+use super::error::Fault;
+use super::problem::Problem;
+use super::section::Section;
+
+/// The cut-off: its shape and its width.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CutOff {
+    /// The shape.
+    pub shape: CutOffShape,
+    /// The width.
+    pub width: Width,
+}
+
+/// The shape of a cut-off.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CutOffShape {
+    /// The cubic B-spline M4.
+    CubicSpline,
+    /// The quintic B-spline M6.
+    QuinticSpline,
+    /// Wendland's C2 function.
+    WendlandC2,
+    /// Wendland's C4 function.
+    WendlandC4,
+    /// Wendland's C6 function.
+    WendlandC6,
+    /// A polynomial in the squared distance: no root to take.
+    RootFree,
+}
+
+/// The width of a cut-off.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Width {
+    /// `eps_k = eta (m_k/rho_k)^(1/dimension)`.
+    Adaptive {
+        /// In mean spacings, > 0.
+        eta: f64,
+    },
+    /// The same for all particles and times.
+    Constant {
+        /// A length, > 0.
+        epsilon: f64,
+    },
+}
+
+const SHAPES: &[(&str, CutOffShape)] = &[
+    ("cubic-spline", CutOffShape::CubicSpline),
+    ("quintic-spline", CutOffShape::QuinticSpline),
+    ("wendland-c2", CutOffShape::WendlandC2),
+    ("wendland-c4", CutOffShape::WendlandC4),
+    ("wendland-c6", CutOffShape::WendlandC6),
+    ("root-free", CutOffShape::RootFree),
+];
+
+/// `[cut-off]`.
+pub(super) fn cut_off(section: &Section<'_>) -> Result<CutOff, Fault> {
+    let shape = section.required("name")?.choice(SHAPES)?;
+    let width = match (section.optional("eta"), section.optional("epsilon")) {
+        (Some(eta), None) => Width::Adaptive {
+            eta: eta.number(POSITIVE)?,
+        },
+        (None, Some(epsilon)) => Width::Constant {
+            epsilon: epsilon.number(POSITIVE)?,
+        },
+        (Some(_), Some(epsilon)) => return Err(epsilon.fault(Problem::Width { both: true })),
+        (None, None) => return Err(Fault::new(Problem::Width { both: false }, section.span())),
+    };
+    Ok(CutOff { shape, width })
+}

@@ -1,0 +1,192 @@
+//! What acts on the particles beside the pressure, and the steps of time.
+
+use super::bound::{COURANT, DAMPING, NOT_NEGATIVE, POSITIVE};
+use super::error::Fault;
+use super::section::Section;
+
+/// What a particle's weight in the sums is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Weights {
+    /// `w_k = m_k/rho_k`, the density a sum of masses.
+    Mass,
+    /// `w_k = 1/n_k`, `n` a sum over numbers: for unequal masses side by side.
+    Number,
+}
+
+/// The pseudo-viscosity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Viscosity {
+    /// Its form.
+    pub kind: ViscosityKind,
+    /// Factor of the linear term, >= 0; 0 for `ViscosityKind::None`. With a switch the
+    /// largest it takes.
+    pub alpha: f64,
+    /// Factor of the quadratic term, >= 0; 0 for `ViscosityKind::None`.
+    pub beta: f64,
+    /// Lowers `alpha` away from shocks.
+    pub switch: Option<Switch>,
+    /// Balsara's factor: lowers both terms where the flow shears.
+    pub balsara: bool,
+}
+
+/// A switch of `alpha`: it rises in shocks and decays behind them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Switch {
+    /// The `alpha` that it decays to; in [0, alpha].
+    pub minimum: f64,
+    /// How fast, in sound speeds per width of the cut-off, > 0.
+    pub decay: f64,
+}
+
+/// The form of the pseudo-viscosity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ViscosityKind {
+    /// Along the line of centres, with the signal speed of the pair.
+    Pairwise,
+    /// Gingold and Monaghan 1983.
+    GingoldMonaghan,
+    /// Added to the pressure where the gas is compressed.
+    VonNeumann,
+    /// Pairwise, on velocities reconstructed at the midpoint under a slope limiter.
+    Limited,
+    /// No pseudo-viscosity.
+    None,
+}
+
+/// Physical diffusion, length^2/time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Diffusion {
+    /// Kinematic viscosity, >= 0.
+    pub viscosity: f64,
+    /// Thermal diffusivity, >= 0.
+    pub heat: f64,
+}
+
+/// How long, and in what steps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Time {
+    /// Duration of the run, > 0.
+    pub end: f64,
+    /// Step / (width / signal speed), in (0, 1].
+    pub courant: f64,
+    /// How the energy is advanced.
+    pub energy: EnergyRule,
+}
+
+/// How the energy is advanced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EnergyRule {
+    /// With predicted velocities: the total drifts with the square of the step.
+    LeapFrog,
+    /// With the mean velocity of the step: the total is conserved to rounding.
+    Exact,
+    /// The total energy of a particle in place of the internal one.
+    Total,
+}
+
+const WEIGHTS: &[(&str, Weights)] = &[("mass", Weights::Mass), ("number", Weights::Number)];
+
+const KINDS: &[(&str, ViscosityKind)] = &[
+    ("pairwise", ViscosityKind::Pairwise),
+    ("gingold_monaghan", ViscosityKind::GingoldMonaghan),
+    ("von_neumann", ViscosityKind::VonNeumann),
+    ("limited", ViscosityKind::Limited),
+    ("none", ViscosityKind::None),
+];
+
+const ENERGY_RULES: &[(&str, EnergyRule)] = &[
+    ("leapfrog", EnergyRule::LeapFrog),
+    ("exact", EnergyRule::Exact),
+    ("total", EnergyRule::Total),
+];
+
+/// Courant number where none is given.
+const DEFAULT_COURANT: f64 = 0.3;
+
+/// `[weights]`.
+pub(super) fn weights(root: &Section<'_>) -> Result<Weights, Fault> {
+    match root.optional("weights") {
+        Some(entry) => entry.section()?.required("rule")?.choice(WEIGHTS),
+        None => Ok(Weights::Mass),
+    }
+}
+
+/// `[viscosity]`.
+pub(super) fn viscosity(section: &Section<'_>) -> Result<Viscosity, Fault> {
+    let kind = section.required("kind")?.choice(KINDS)?;
+    if kind == ViscosityKind::None {
+        // So that `--set viscosity.kind=none` alone switches it off.
+        return Ok(Viscosity {
+            kind,
+            alpha: 0.0,
+            beta: 0.0,
+            switch: None,
+            balsara: false,
+        });
+    }
+    let alpha = section.required("alpha")?.number(DAMPING)?;
+    let beta = section.required("beta")?.number(DAMPING)?;
+    let balsara = section.optional("balsara");
+    Ok(Viscosity {
+        kind,
+        alpha,
+        beta,
+        switch: match section.optional("switch") {
+            Some(entry) => Some(switch(&entry.section()?, alpha)?),
+            None => None,
+        },
+        balsara: balsara.map_or(Ok(false), |entry| entry.truth())?,
+    })
+}
+
+fn switch(section: &Section<'_>, alpha: f64) -> Result<Switch, Fault> {
+    let entry = section.required("minimum")?;
+    let minimum = entry.number(NOT_NEGATIVE)?;
+    if minimum > alpha {
+        let reason = format!("viscosity.alpha = {alpha} is the largest it takes");
+        return Err(entry.does_not_fit(reason, "give a minimum of at most viscosity.alpha"));
+    }
+    let decay = section.required("decay")?.number(POSITIVE)?;
+    Ok(Switch { minimum, decay })
+}
+
+/// `[conduction]`: factor of the artificial conductivity.
+pub(super) fn conduction(root: &Section<'_>) -> Result<f64, Fault> {
+    match root.optional("conduction") {
+        Some(entry) => entry.section()?.required("alpha")?.number(DAMPING),
+        None => Ok(0.0),
+    }
+}
+
+/// `[diffusion]`.
+pub(super) fn diffusion(root: &Section<'_>) -> Result<Diffusion, Fault> {
+    let section = root.optional("diffusion").map(|entry| entry.section());
+    let section = section.transpose()?;
+    let coefficient = |key| {
+        let entry = section.as_ref().and_then(|section| section.optional(key));
+        entry.map_or(Ok(0.0), |entry| entry.number(NOT_NEGATIVE))
+    };
+    Ok(Diffusion {
+        viscosity: coefficient("viscosity")?,
+        heat: coefficient("heat")?,
+    })
+}
+
+/// `[force]`: the acceleration of everything.
+pub(super) fn acceleration(root: &Section<'_>, dimension: usize) -> Result<Vec<f64>, Fault> {
+    match root.optional("force") {
+        Some(entry) => entry.section()?.required("acceleration")?.vector(dimension),
+        None => Ok(vec![0.0; dimension]),
+    }
+}
+
+/// `[time]`.
+pub(super) fn time(section: &Section<'_>) -> Result<Time, Fault> {
+    let courant = section.optional("courant");
+    let energy = section.optional("energy");
+    Ok(Time {
+        end: section.required("end")?.number(POSITIVE)?,
+        courant: courant.map_or(Ok(DEFAULT_COURANT), |entry| entry.number(COURANT))?,
+        energy: energy.map_or(Ok(EnergyRule::LeapFrog), |entry| entry.choice(ENERGY_RULES))?,
+    })
+}

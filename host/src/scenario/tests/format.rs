@@ -1,0 +1,560 @@
+//! Every section beyond those of the shock tube: what it reads as, and its faults.
+
+use super::*;
+
+/// A two-dimensional scenario with one box, to be changed by the tests.
+const BOX: &str = r#"
+name = "box"
+dimension = 2
+[domain]
+lower = [0.0, 0.0]
+upper = [1.0, 1.0]
+sides = ["periodic", "periodic"]
+[[region]]
+lower = [0.0, 0.0]
+upper = [1.0, 1.0]
+density = 1.0
+velocity = [0.0, 0.0]
+pressure = 1.0
+[material]
+equation-of-state = "ideal-gas"
+gamma = 1.4
+[resolution]
+particles = 100
+arrangement = "square"
+[cut-off]
+name = "wendland-c2"
+eta = 1.5
+[viscosity]
+kind = "limited"
+alpha = 1.0
+beta = 2.0
+[time]
+end = 0.1
+"#;
+
+/// Two materials, named.
+const MATERIALS: &str = r#"[[material]]
+name = "air"
+equation-of-state = "ideal-gas"
+gamma = 1.4
+[[material]]
+name = "water"
+equation-of-state = "tait"
+density = 1000.0
+sound-speed = 10.0
+exponent = 7
+"#;
+
+const ONE_MATERIAL: &str = "[material]\nequation-of-state = \"ideal-gas\"\ngamma = 1.4\n";
+const STATE: &str = "density = 1.0\nvelocity = [0.0, 0.0]\npressure = 1.0\n";
+const CORNERS: &str = "lower = [0.0, 0.0]\nupper = [1.0, 1.0]\n";
+const DISC: &str = "[[region]]\ncenter = [0.5, 0.5]\nradius = 0.25\n";
+const DEPOSIT: &str = "[[deposit]]\ncenter = [0.5, 0.5]\nradius = 0.1\nenergy = 2.0\n";
+
+/// [`BOX`] after replacements, each of which must apply.
+#[track_caller]
+fn changed(changes: &[(&str, &str)]) -> String {
+    changes.iter().fold(BOX.to_owned(), |text, (from, to)| {
+        assert!(text.contains(from), "{from:?} is not in the scenario");
+        text.replacen(from, to, 1)
+    })
+}
+
+#[track_caller]
+fn read(text: &str) -> Scenario {
+    match File::new(text).read(&[]) {
+        Ok(scenario) => scenario,
+        Err(error) => panic!("{}", report(&error)),
+    }
+}
+
+/// `BOX` with a profile in place of its region.
+fn with_profile(profile: &str) -> String {
+    let region = format!("[[region]]\n{CORNERS}{STATE}");
+    changed(&[(&region, profile)])
+}
+
+#[test]
+fn what_is_left_out_means_none_of_it() {
+    let scenario = read(BOX);
+    assert_eq!(scenario.weights, Weights::Mass);
+    assert_eq!(scenario.conduction, 0.0);
+    assert_eq!(
+        (scenario.diffusion.viscosity, scenario.diffusion.heat),
+        (0.0, 0.0)
+    );
+    assert_eq!(scenario.acceleration, [0.0, 0.0]);
+    assert_eq!(scenario.time.energy, EnergyRule::LeapFrog);
+    assert_eq!(
+        (scenario.viscosity.switch, scenario.viscosity.balsara),
+        (None, false)
+    );
+    assert_eq!(scenario.materials[0].name, "ideal-gas");
+    let resolution = &scenario.resolution;
+    assert_eq!((resolution.share, resolution.rotation), (Share::Mass, None));
+    assert_eq!((resolution.seed, resolution.jitter), (1, 0.0));
+    assert_eq!(
+        (&scenario.output.ring, scenario.output.snapshots),
+        (&None, None)
+    );
+    assert!(scenario.deposits.is_empty() && scenario.tolerances.is_empty());
+    assert_eq!(scenario.profile, None);
+}
+
+#[test]
+fn every_section_reads_as_written() {
+    let more = "[weights]\nrule = \"number\"\n[conduction]\nalpha = 0.5\n\
+        [diffusion]\nviscosity = 0.01\nheat = 0.02\n[force]\nacceleration = [0.0, -9.81]\n\
+        [output]\nexact = \"sedov\"\nring = { inner = 0.05, outer = 0.35, center = [0.5, 0.5] }\n\
+        snapshots = { steps = 10, format = \"csv\" }\n\
+        [tolerance.density]\nl1 = 0.01\nlinf = 0.5\nreason = \"measured\"\n\
+        [tolerance.energy]\nl2 = 0.02\nreason = \"guessed\"\n";
+    let switch = "beta = 2.0\nswitch = { minimum = 0.1, decay = 0.2 }\nbalsara = true";
+    let lattice =
+        "arrangement = \"square\"\nshare = \"volume\"\nrotation = [2, 4]\nseed = 7\njitter = 0.25";
+    let text = changed(&[
+        ("[material]", &format!("{DEPOSIT}[material]")),
+        ("beta = 2.0", switch),
+        ("arrangement = \"square\"", lattice),
+        (
+            "end = 0.1\n",
+            &format!("end = 0.1\nenergy = \"exact\"\n{more}"),
+        ),
+    ]);
+    let scenario = read(&text);
+    assert_eq!(scenario.weights, Weights::Number);
+    assert_eq!(scenario.conduction, 0.5);
+    assert_eq!(
+        (scenario.diffusion.viscosity, scenario.diffusion.heat),
+        (0.01, 0.02)
+    );
+    assert_eq!(scenario.acceleration, [0.0, -9.81]);
+    assert_eq!(scenario.time.energy, EnergyRule::Exact);
+    assert_eq!(scenario.viscosity.kind, ViscosityKind::Limited);
+    assert_eq!(
+        scenario.viscosity.switch,
+        Some(Switch {
+            minimum: 0.1,
+            decay: 0.2
+        })
+    );
+    assert!(scenario.viscosity.balsara);
+    let resolution = &scenario.resolution;
+    assert_eq!(
+        (resolution.share, resolution.rotation),
+        (Share::Volume, Some([1, 2]))
+    );
+    assert_eq!((resolution.seed, resolution.jitter), (7, 0.25));
+    assert_eq!(scenario.output.exact, Some(Exact::Sedov));
+    let ring = scenario.output.ring.as_ref().unwrap();
+    assert_eq!(
+        (ring.inner, ring.outer, &ring.center),
+        (0.05, 0.35, &vec![0.5, 0.5])
+    );
+    let snapshots = scenario.output.snapshots.unwrap();
+    assert_eq!(snapshots.interval, Interval::Steps(10));
+    assert_eq!(snapshots.format, SnapshotFormat::Csv);
+    assert_eq!(
+        (
+            scenario.deposits[0].energy,
+            scenario.deposits[0].ball.radius
+        ),
+        (2.0, 0.1)
+    );
+    let tolerances: Vec<_> = scenario
+        .tolerances
+        .iter()
+        .map(|t| (t.field, t.norm, t.value))
+        .collect();
+    assert_eq!(
+        tolerances,
+        [
+            (Field::Density, Norm::L1, 0.01),
+            (Field::Density, Norm::Linf, 0.5),
+            (Field::Energy, Norm::L2, 0.02)
+        ]
+    );
+    assert_eq!(scenario.tolerances[2].reason, "guessed");
+}
+
+#[test]
+fn materials_give_the_pressure_that_their_law_says() {
+    let text = changed(&[
+        (ONE_MATERIAL, MATERIALS),
+        (
+            STATE,
+            "density = 1100.0\nvelocity = [0.0, 0.0]\nmaterial = \"water\"\n",
+        ),
+    ]);
+    let scenario = read(&text);
+    assert_eq!(scenario.regions[0].material, 1);
+    // B = 1000 * 10^2 / 7 and 1.1^7 = 1.9487171, by hand.
+    let expected = 1e5 / 7.0 * (1.948_717_1 - 1.0);
+    let relative = scenario.regions[0].pressure / expected - 1.0;
+    assert!(relative.abs() < 1e-14, "{relative:e}");
+
+    let isothermal = "[material]\nequation-of-state = \"isothermal\"\nsound-speed = 3.0\n";
+    let scenario = read(&changed(&[
+        (ONE_MATERIAL, isothermal),
+        ("pressure = 1.0\n", ""),
+    ]));
+    assert_eq!(scenario.regions[0].pressure, 9.0);
+}
+
+#[test]
+fn pressure_and_energy_are_inverse_where_the_energy_plays_a_part() {
+    let laws = [
+        EquationOfState::IdealGas { gamma: 1.4 },
+        EquationOfState::StiffenedGas {
+            gamma: 4.4,
+            pressure_at_infinity: 6e8,
+        },
+    ];
+    for law in laws {
+        let energy = law.energy(1000.0, 1e5);
+        let pressure = law.pressure(1000.0, energy);
+        assert!((pressure / 1e5 - 1.0).abs() < 1e-11, "{law:?}: {pressure}");
+    }
+    // (1e5 + 4.4 * 6e8) / (3.4 * 1000), by hand.
+    let energy = laws[1].energy(1000.0, 1e5);
+    assert!((energy / 776_500.0 - 1.0).abs() < 1e-15, "{energy}");
+}
+
+#[test]
+fn a_stiffened_gas_may_be_under_tension_down_to_its_limit() {
+    let stiff = "[material]\nequation-of-state = \"stiffened-gas\"\ngamma = 4.4\npressure-at-infinity = 2.0\n";
+    let at = |pressure: &str| {
+        let pressure = format!("pressure = {pressure}\n");
+        File::new(changed(&[
+            (ONE_MATERIAL, stiff),
+            ("pressure = 1.0\n", &pressure),
+        ]))
+        .read(&[])
+    };
+    assert_eq!(at("-1.5").unwrap().regions[0].pressure, -1.5);
+    let error = at("-2.0").unwrap_err();
+    assert_report_holds(&error, &["region.0.pressure = -2.0", "> -2", "above minus"]);
+}
+
+#[test]
+fn a_ball_lies_on_a_box_and_boxes_still_may_not_overlap() {
+    let scenario = read(&changed(&[(
+        "[material]",
+        &format!("{DISC}{STATE}[material]"),
+    )]));
+    let ball = scenario.regions[1].ball.as_ref().unwrap();
+    assert_eq!(
+        (ball.radius, ball.center.as_slice()),
+        (0.25, [0.5, 0.5].as_slice())
+    );
+    assert_eq!(scenario.regions[1].extent.lower, [0.25, 0.25]);
+
+    let second = format!("{DISC}{STATE}[[region]]\n{CORNERS}{STATE}[material]");
+    let error = File::new(changed(&[("[material]", &second)]))
+        .read(&[])
+        .unwrap_err();
+    assert_report_holds(&error, &["region.2 overlaps region.0"]);
+}
+
+#[test]
+fn every_profile_reads() {
+    let cases = [
+        (
+            "kind = \"noh\"\ndensity = 1.0\nspeed = 2.0\npressure = 1e-6",
+            Profile::Noh {
+                density: 1.0,
+                speed: 2.0,
+                pressure: 1e-6,
+            },
+        ),
+        (
+            "kind = \"sound-wave\"\namplitude = 1e-3\ndensity = 1.0\npressure = 0.6",
+            Profile::SoundWave {
+                amplitude: 1e-3,
+                density: 1.0,
+                pressure: 0.6,
+            },
+        ),
+        (
+            "kind = \"yee-vortex\"\nstrength = 5.0",
+            Profile::YeeVortex {
+                strength: 5.0,
+                velocity: vec![0.0; 2],
+            },
+        ),
+        (
+            "kind = \"gresho\"\nvelocity = [1.0, 0.0]\nmach = 0.1",
+            Profile::Gresho {
+                velocity: vec![1.0, 0.0],
+                mach: Some(0.1),
+            },
+        ),
+        ("kind = \"kelvin-helmholtz\"", Profile::KelvinHelmholtz),
+    ];
+    for (text, profile) in cases {
+        let text = with_profile(&format!("[profile]\n{text}\n"));
+        let text = text.replace("arrangement = \"square\"", "arrangement = \"sampled\"");
+        assert_eq!(read(&text).profile, Some(profile));
+    }
+}
+
+#[test]
+fn a_riemann_problem_may_lie_along_any_direction() {
+    let halves = |direction: usize| {
+        let (mut upper, mut lower) = ([1.0, 1.0], [0.0, 0.0]);
+        (upper[direction], lower[direction]) = (0.5, 0.5);
+        let second = format!("{STATE}[[region]]\nlower = {lower:?}\nupper = [1.0, 1.0]\n{STATE}");
+        let region = format!("[[region]]\nlower = [0.0, 0.0]\nupper = {upper:?}\n");
+        let text = changed(&[
+            (STATE, &second),
+            (&format!("[[region]]\n{CORNERS}"), &region),
+        ]);
+        format!("{text}[output]\nexact = \"riemann\"\n")
+    };
+    for direction in 0..2 {
+        assert_eq!(
+            read(&halves(direction)).riemann_direction(),
+            Some(direction)
+        );
+    }
+    let narrow = halves(0).replace("lower = [0.5, 0.0]", "lower = [0.5, 0.25]");
+    let error = File::new(narrow).read(&[]).unwrap_err();
+    assert_report_holds(
+        &error,
+        &["output.exact = \"riemann\"", "unequal stretches along y"],
+    );
+}
+
+#[test]
+fn a_file_is_looked_for_beside_the_scenario_and_needs_no_region() {
+    let file = "arrangement = \"file\"\nfile = \"clouds/a.csv\"";
+    let region = format!("[[region]]\n{CORNERS}{STATE}");
+    let text = changed(&[
+        ("particles = 100\narrangement = \"square\"", file),
+        (&region, ""),
+    ]);
+    let place = File::new(text);
+    let scenario = place.read(&[]).unwrap();
+    let expected = place.path().parent().unwrap().join("clouds/a.csv");
+    assert_eq!(scenario.resolution.arrangement, Arrangement::File(expected));
+}
+
+#[test]
+fn set_reaches_every_list_and_every_table_in_braces() {
+    let text = changed(&[
+        (ONE_MATERIAL, MATERIALS),
+        ("arrangement = \"square\"", "arrangement = \"hexagonal\""),
+    ]);
+    let file = File::new(text);
+    let scenario = file
+        .read(&[
+            "material.0.gamma=2",
+            "material.1.exponent=3",
+            "region.0.material=air",
+            "viscosity.switch.minimum=0.5",
+            "viscosity.switch.decay=1",
+            "output.snapshots={ every = 0.1 }",
+            "output.snapshots.steps=3",
+            "resolution.jitter=0.1",
+            "force.acceleration=[1, 2]",
+        ])
+        .unwrap();
+    assert_eq!(
+        scenario.materials[0].law,
+        EquationOfState::IdealGas { gamma: 2.0 }
+    );
+    assert!(matches!(
+        scenario.materials[1].law,
+        EquationOfState::Tait { exponent: 3, .. }
+    ));
+    assert_eq!(
+        scenario.viscosity.switch,
+        Some(Switch {
+            minimum: 0.5,
+            decay: 1.0
+        })
+    );
+    assert_eq!(
+        scenario.output.snapshots.unwrap().interval,
+        Interval::Steps(3)
+    );
+    assert_eq!(scenario.resolution.jitter, 0.1);
+    assert_eq!(scenario.acceleration, [1.0, 2.0]);
+    for (set, value, cure) in [
+        (
+            "material.gamma=2",
+            "there is no material gamma, the file has 2",
+            "from 0 to 1",
+        ),
+        (
+            "material.2.gamma=2",
+            "there is no material 2",
+            "from 0 to 1",
+        ),
+        (
+            "deposit.0.energy=2",
+            "there is no deposit 0",
+            "add a [[deposit]]",
+        ),
+        (
+            "tolerance.densty.l1=1",
+            "unknown key `densty` in [tolerance]",
+            "did you mean `density`?",
+        ),
+        (
+            "viscosity.switch.decai=1",
+            "unknown key `decai` in [viscosity.switch]",
+            "decay",
+        ),
+    ] {
+        let error = file.read(&[set]).expect_err(set);
+        assert_report_holds(&error, &[set, value, cure]);
+    }
+    let tolerance = [
+        "output.exact=sedov",
+        "tolerance.density={ l1 = 1, reason = 'why' }",
+    ];
+    let with_deposit = File::new(changed(&[("[material]", &format!("{DEPOSIT}[material]"))]));
+    assert_eq!(with_deposit.read(&tolerance).unwrap().tolerances.len(), 1);
+}
+
+/// Replacement in [`BOX`]; the line it is reported on; the value, and the cure.
+#[rustfmt::skip]
+const FAULTS: &[Case] = &[
+    // Materials.
+    ("gamma = 1.4", "gamma = 1.4\nsound-speed = 1.0", "sound-speed", "material.sound-speed = 1.0 does not fit: ideal-gas has no sound-speed", "ideal-gas takes gamma"),
+    ("\"ideal-gas\"\ngamma = 1.4", "\"tait\"\ndensity = 1.0\nsound-speed = 1.0\nexponent = 16", "exponent", "material.exponent = 16", "7 for water"),
+    ("\"ideal-gas\"\ngamma = 1.4", "\"tait\"\ndensity = 1.0\nsound-speed = 1.0\nexponent = 7.0", "exponent", "a number with a fraction", "`exponent = 7`"),
+    ("\"ideal-gas\"\ngamma = 1.4", "\"isothermal\"\nsound-speed = 0.0", "sound-speed", "material.sound-speed = 0.0", "larger than 0"),
+    ("\"ideal-gas\"\ngamma = 1.4", "\"isothermal\"\nsound-speed = 2.0", "pressure", "region.0.pressure = 1.0 does not fit: isothermal gives 4", "take `pressure` out"),
+    ("\"ideal-gas\"\n", "\"stiffened-gas\"\npressure-at-infinity = -1.0\n", "pressure-at-infinity", "material.pressure-at-infinity = -1.0", "0 or a positive"),
+    ("density = 1.0\n", "density = 1.0\nmaterial = \"air\"\n", "material", "region.0.material = \"air\" is unknown", "known: ideal-gas"),
+    // Regions, profiles, deposits.
+    ("lower = [0.0, 0.0]\nupper = [1.0, 1.0]\ndensity", "center = [0.5, 0.5]\nradius = 0.1\nupper = [1.0, 1.0]\ndensity", "upper", "a ball has no upper", "a ball takes center, radius"),
+    ("lower = [0.0, 0.0]\nupper = [1.0, 1.0]\ndensity", "center = [0.5, 0.5]\ndensity", "[[region]]", "`radius` is missing in [[region]] 0", "`radius = 0.1`"),
+    ("lower = [0.0, 0.0]\nupper = [1.0, 1.0]\ndensity", "center = [0.5, 1.5]\nradius = 0.1\ndensity", "center", "region.0.center = 1.5 lies outside the domain: [0, 1] along y", "move it inside"),
+    ("[material]", "[profile]\nkind = \"noh\"\n[material]", "[profile]", "both [profile] and [[region]]", "keep one"),
+    ("[material]", "[[deposit]]\ncenter = [0.5, 0.5]\nradius = 0.0\nenergy = 1.0\n[material]", "radius", "deposit.0.radius = 0.0", "larger than 0"),
+    ("[material]", "[[deposit]]\ncenter = [0.5, 0.5]\nradius = 0.1\nenergy = -1.0\n[material]", "energy", "deposit.0.energy = -1.0", "larger than 0"),
+    // Resolution.
+    ("\"square\"", "\"cubic\"", "arrangement", "a lattice of 3 dimensions, dimension = 2", "square or hexagonal"),
+    ("\"square\"", "\"sampled\"", "arrangement", "the density of a [profile]", "equal-mass"),
+    ("\"square\"", "\"glass\"\njitter = 0.1", "jitter", "random places of its own", "take `jitter` out"),
+    ("\"square\"", "\"square\"\njitter = 0.5", "jitter", "resolution.jitter = 0.5", "could meet"),
+    ("\"square\"", "\"square\"\nseed = -1", "seed", "resolution.seed = -1", "any whole number"),
+    ("\"square\"", "\"square\"\nrotation = [1]", "rotation", "need a pair of whole numbers", "`rotation = [1, 2]`"),
+    ("\"square\"", "\"square\"\nrotation = [1, 1001]", "rotation", "resolution.rotation.1 = 1001", "small whole number"),
+    ("\"square\"", "\"hexagonal\"\nrotation = [1, 2]", "rotation", "only square lattices between periodic sides", "take `rotation` out"),
+    ("\"square\"", "\"square\"\nfile = \"a.csv\"", "file", "the arrangement is \"square\"", "arrangement = \"file\""),
+    ("\"square\"", "\"file\"\nfile = \"a.csv\"", "particles", "has no particles", "takes file"),
+    ("\"square\"", "\"equal-mass\"\nshare = \"volume\"", "share", "gives equal masses", "choose a lattice"),
+    // The method.
+    ("[time]", "[weights]\nrule = \"masses\"\n[time]", "rule", "weights.rule = \"masses\"", "did you mean `mass`?"),
+    ("beta = 2.0", "beta = 2.0\nswitch = { minimum = 2.0, decay = 0.1 }", "switch", "viscosity.switch.minimum = 2.0 does not fit: viscosity.alpha = 1", "at most viscosity.alpha"),
+    ("beta = 2.0", "beta = 2.0\nswitch = { minimum = 0.0, decay = 0.0 }", "switch", "viscosity.switch.decay = 0.0", "larger than 0"),
+    ("beta = 2.0", "beta = 2.0\nbalsara = 1", "balsara", "need true or false", "`balsara = true`"),
+    ("[time]", "[conduction]\nalpha = -1.0\n[time]", "alpha", "conduction.alpha = -1.0", "0 or a positive"),
+    ("[time]", "[diffusion]\nheat = -1.0\n[time]", "heat", "diffusion.heat = -1.0", "0 or a positive"),
+    ("[time]", "[force]\nacceleration = [1.0]\n[time]", "acceleration", "force.acceleration has length 1", "dimension = 2"),
+    ("end = 0.1", "end = 0.1\nenergy = \"leap-frog\"", "energy", "time.energy = \"leap-frog\"", "known: leapfrog, exact, total"),
+    // Output.
+    ("[time]", "[output]\nexact = \"sedov\"\n[time]", "exact", "the number of regions is 1, that of deposits 0", "one deposit"),
+    ("[time]", "[output]\nexact = \"profile\"\n[time]", "exact", "there is no [profile]", "kind noh"),
+    ("[time]", "[output]\nexact = \"reference\"\n[time]", "exact", "dimension = 2", "needs dimension = 1"),
+    ("[time]", "[output]\nring = { inner = 0.2, outer = 0.1 }\n[time]", "ring", "output.ring.outer = 0.1", "above the inner"),
+    ("[time]", "[output]\nsnapshots = { every = 0.0 }\n[time]", "snapshots", "output.snapshots.every = 0.0", "larger than 0"),
+    ("[time]", "[output]\nsnapshots = { every = 0.1, steps = 2 }\n[time]", "snapshots", "output.snapshots.steps = 2", "keep one"),
+    ("[time]", "[output]\nsnapshots = { format = \"vtu\" }\n[time]", "snapshots", "`every` is missing", "`every = 0.01`"),
+    ("[time]", "[tolerance.density]\nl1 = 0.1\nreason = \"r\"\n[time]", "[tolerance.density]", "no output.exact", "add `exact`"),
+];
+
+#[test]
+fn every_fault_of_the_further_sections_names_the_value_the_line_and_the_cure() {
+    for (from, to, line, value, cure) in FAULTS {
+        let text = changed(&[(from, to)]);
+        let error = File::new(&text).read(&[]).expect_err(to);
+        assert_report_holds(&error, &[value, cure, "mine.toml:"]);
+        let (number, _) = error.line_and_column().unwrap();
+        let shown = text.lines().nth(number - 1).unwrap();
+        assert!(shown.contains(line), "{to:?} was reported on {shown:?}");
+    }
+}
+
+/// A `[profile]` in place of the region; what the report holds.
+#[rustfmt::skip]
+const PROFILE_FAULTS: &[(&str, &[&str])] = &[
+    ("[profile]\nkind = \"noe\"\n", &["profile.kind = \"noe\"", "did you mean `noh`?"]),
+    ("[profile]\nkind = \"noh\"\nspeed = 1.0\npressure = 1.0\n", &["`density` is missing in [profile]", "`density = 1.0`"]),
+    ("[profile]\nkind = \"noh\"\nmach = 1.0\n", &["profile.mach = 1.0", "noh takes density, speed, pressure"]),
+    ("[profile]\nkind = \"kelvin-helmholtz\"\nspeed = 1.0\n", &["kelvin-helmholtz takes nothing"]),
+    ("[profile]\nkind = \"yee-vortex\"\nstrength = 50.0\n", &["profile.strength = 50.0", "temperature at the centre"]),
+    ("[profile]\nkind = \"gresho\"\nmach = 0.0\n", &["profile.mach = 0.0", "larger than 0"]),
+    ("[profile]\nkind = \"sound-wave\"\namplitude = 0.9\ndensity = 1.0\npressure = 1.0\n", &["takes the pressure to 0", "below 1/gamma"]),
+    ("[profile]\nkind = \"kelvin-helmholtz\"\n", &["equal masses do not make the density", "share = \"volume\""]),
+    ("", &["neither [[region]] nor [profile]", "add a [[region]]"]),
+];
+
+#[test]
+fn every_fault_of_a_profile_tells_the_cure() {
+    for (profile, parts) in PROFILE_FAULTS {
+        let error = File::new(with_profile(profile))
+            .read(&[])
+            .expect_err(profile);
+        assert_report_holds(&error, parts);
+    }
+    let cold = with_profile("[profile]\nkind = \"noh\"\n").replace(
+        ONE_MATERIAL,
+        "[material]\nequation-of-state = \"isothermal\"\nsound-speed = 1.0\n",
+    );
+    let error = File::new(cold).read(&[]).unwrap_err();
+    assert_report_holds(
+        &error,
+        &["profile.kind = \"noh\"", "first material is isothermal"],
+    );
+}
+
+#[test]
+fn materials_need_names_of_their_own() {
+    let twice = MATERIALS.replace("\"water\"", "\"air\"");
+    let error = File::new(changed(&[(ONE_MATERIAL, &twice)]))
+        .read(&[])
+        .unwrap_err();
+    assert_report_holds(
+        &error,
+        &["material.1.name = \"air\"", "material.0 has the same name"],
+    );
+    let nameless = MATERIALS.replace("name = \"water\"\n", "");
+    let error = File::new(changed(&[(ONE_MATERIAL, &nameless)]))
+        .read(&[])
+        .unwrap_err();
+    assert_report_holds(
+        &error,
+        &["`name` is missing in [[material]] 1", "`name = \"water\"`"],
+    );
+}
+
+#[test]
+fn a_tolerance_needs_a_reason_and_a_norm() {
+    let with = |lines: &str| {
+        let text = changed(&[("[material]", &format!("{DEPOSIT}[material]"))]);
+        let text = format!("{text}[output]\nexact = \"sedov\"\n[tolerance.density]\n{lines}");
+        File::new(text).read(&[]).unwrap_err()
+    };
+    assert_report_holds(
+        &with("l1 = 0.1\n"),
+        &["`reason` is missing in [tolerance.density]"],
+    );
+    assert_report_holds(
+        &with("l1 = 0.1\nreason = \" \"\n"),
+        &["tolerance.density.reason", "it is empty"],
+    );
+    assert_report_holds(
+        &with("reason = \"why\"\n"),
+        &["`l1` is missing in [tolerance.density]"],
+    );
+    assert_report_holds(
+        &with("l1 = 0.0\nreason = \"why\"\n"),
+        &["tolerance.density.l1 = 0.0"],
+    );
+}

@@ -1,3 +1,12 @@
 //! Exact solutions, one per file, shared by tests, pictures and studies.
 
+pub mod flow;
+pub mod gresho;
+pub mod moving_centre;
+pub mod noh;
+#[cfg(test)]
+mod residual;
 pub mod riemann;
+pub mod sedov;
+pub mod sound_wave;
+pub mod yee_vortex;

@@ -244,7 +244,7 @@ fn star_pressure(left: &Gas, right: &Gas) -> Result<Option<f64>, RiemannError> {
             lower = p;
         }
         let step = -value / (p * slope);
-        let newton = p * step.exp();
+        let newton = p * libm::exp(step);
         let inside = lower < newton && newton < upper;
         let next = if inside {
             newton

@@ -301,3 +301,27 @@ proptest! {
         assert_is_a_solution(&problem, 1e-9);
     }
 }
+
+/// A regression, not a validation: what the ideal gas alone gave before the stiffened gas came.
+#[test]
+fn without_a_pressure_at_infinity_the_bits_are_those_of_the_ideal_gas() {
+    let mut digest: u64 = 0xcbf2_9ce4_8422_2325;
+    let mut take = |value: f64| {
+        // FNV-1a over words.
+        digest = (digest ^ value.to_bits()).wrapping_mul(0x0000_0100_0000_01b3);
+    };
+    for &(left, right, ..) in PUBLISHED {
+        for gammas in [AIR, [1.4, 5.0 / 3.0], [1.2, 1.4]] {
+            let solution = problem(left, right, gammas).solve().unwrap();
+            for i in -200..=200 {
+                let xi = 0.2 * f64::from(i);
+                let state = solution.sample(xi);
+                take(state.density);
+                take(state.velocity);
+                take(state.pressure);
+                take(solution.internal_energy(xi));
+            }
+        }
+    }
+    assert_eq!(digest, 0x8dbc_bca5_0f58_7428, "{digest:#x}");
+}

@@ -47,8 +47,8 @@ impl Gas {
         } else {
             let ratio = p / pressure;
             let z = 0.5 * (gamma - 1.0) / gamma;
-            let f = 2.0 * a / (gamma - 1.0) * (ratio.powf(z) - 1.0);
-            (f, ratio.powf(z - 1.0) / (density * a))
+            let f = 2.0 * a / (gamma - 1.0) * (libm::pow(ratio, z) - 1.0);
+            (f, libm::pow(ratio, z - 1.0) / (density * a))
         }
     }
 
@@ -68,8 +68,8 @@ impl Gas {
             let shock = outside.velocity - a * mach;
             (density, shock, shock)
         } else {
-            let density = outside.density * ratio.powf(1.0 / gamma);
-            let sound_speed = a * ratio.powf(0.5 * (gamma - 1.0) / gamma);
+            let density = outside.density * libm::pow(ratio, 1.0 / gamma);
+            let sound_speed = a * libm::pow(ratio, 0.5 * (gamma - 1.0) / gamma);
             (density, outside.velocity - a, velocity - sound_speed)
         };
         let inside = GasState {
@@ -100,9 +100,9 @@ impl Wave {
         let c = (2.0 + (gamma - 1.0) * (outside.velocity - xi) / a) / (gamma + 1.0);
         let c = c.max(0.0);
         GasState {
-            density: outside.density * c.powf(2.0 / (gamma - 1.0)),
+            density: outside.density * libm::pow(c, 2.0 / (gamma - 1.0)),
             velocity: xi + a * c,
-            pressure: outside.pressure * c.powf(2.0 * gamma / (gamma - 1.0)),
+            pressure: outside.pressure * libm::pow(c, 2.0 * gamma / (gamma - 1.0)),
         }
     }
 }

@@ -6,4 +6,5 @@ mod vtu;
 
 pub use series::{SnapshotEntry, SnapshotFormat, SnapshotSeries};
 pub use table::{WriteError, writable, write_particles, write_series, write_text};
+pub(crate) use vtu::escaped;
 pub use vtu::{Cloud, write_vtu};

@@ -1,5 +1,10 @@
 //! Files that a run writes. Each is written beside its place and moved there when whole.
 
+mod series;
 mod table;
+mod vtu;
 
+pub use series::{SnapshotEntry, SnapshotFormat, SnapshotSeries};
 pub use table::{WriteError, writable, write_particles, write_series, write_text};
+pub(crate) use vtu::escaped;
+pub use vtu::{Cloud, write_vtu};

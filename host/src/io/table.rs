@@ -109,7 +109,7 @@ pub fn write_series(path: &Path, series: &[Sample]) -> Result<(), WriteError> {
 }
 
 /// A table of numbers: the shortest digits that read back to the same bits.
-fn csv(
+pub(super) fn csv(
     path: &Path,
     heading: &[&str],
     rows: impl Iterator<Item = Vec<f64>>,
@@ -125,7 +125,7 @@ fn csv(
 }
 
 /// Writes beside `path`, then renames.
-fn whole(
+pub(super) fn whole(
     path: &Path,
     write: impl FnOnce(&mut NamedTempFile) -> std::io::Result<()>,
 ) -> Result<(), WriteError> {

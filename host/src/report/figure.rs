@@ -28,6 +28,35 @@ pub enum FigureError {
         /// How many there are.
         count: usize,
     },
+    /// Fewer or more maps than a picture holds.
+    #[error("{count} maps do not fit a picture")]
+    #[diagnostic(help("give 1 to 4"))]
+    MapCount {
+        /// How many there are.
+        count: usize,
+    },
+    /// A map without cells, or with others than its sides say.
+    #[error("the map {heading:?} has {cells} cells for {nx} x {ny}")]
+    CellCount {
+        /// Its heading.
+        heading: String,
+        /// The cells it has.
+        cells: usize,
+        /// Cells in x.
+        nx: usize,
+        /// Cells in y.
+        ny: usize,
+    },
+    /// A map that covers nothing.
+    #[error("the map {heading:?} from {lower:?} to {upper:?} is empty: need lower < upper")]
+    Bounds {
+        /// Its heading.
+        heading: String,
+        /// Its lower corner.
+        lower: [f64; 2],
+        /// Its upper corner.
+        upper: [f64; 2],
+    },
     /// The drawing library refused.
     #[error("cannot draw the picture")]
     Drawing(#[from] DrawingAreaErrorKind<std::io::Error>),
@@ -204,7 +233,7 @@ fn all(panel: &Panel) -> impl Iterator<Item = (f64, f64)> {
 
 /// An axis that holds all values with a margin on both sides, given as a part of
 /// their span. Values that differ by less than a billionth count as equal.
-fn range(values: impl Iterator<Item = f64>, margin: f64) -> std::ops::Range<f64> {
+pub(super) fn range(values: impl Iterator<Item = f64>, margin: f64) -> std::ops::Range<f64> {
     let (lower, upper) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, u), value| {
         (l.min(value), u.max(value))
     });
@@ -224,7 +253,7 @@ fn range(values: impl Iterator<Item = f64>, margin: f64) -> std::ops::Range<f64>
 }
 
 /// A number at a tick, with the digits that tell it from its neighbours.
-fn tick(value: f64, range: &std::ops::Range<f64>) -> String {
+pub(super) fn tick(value: f64, range: &std::ops::Range<f64>) -> String {
     let step = (range.end - range.start) / 6.0;
     let size = range.start.abs().max(range.end.abs());
     if value.abs() < 1e-6 * step {

@@ -1,4 +1,6 @@
 //! What a run tells people and programs.
 
 pub mod figure;
+pub mod map;
+mod raster;
 pub mod summary;

@@ -1,0 +1,461 @@
+//! Pictures of results over a plane as SVG: colour maps with axes and a colour bar.
+//!
+//! Written as text, not with the drawing library of [`figure`](super::figure): one path for each
+//! colour is a tenth of one rectangle for each cell.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::ops::Range;
+
+use super::figure::{FigureError, range, tick};
+use crate::io::escaped;
+
+pub use super::raster::rasterised;
+
+/// One quantity over x and y.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Map {
+    /// The quantity, with its unit.
+    pub heading: String,
+    /// Values row by row from below, x running fastest; those not finite stay empty.
+    pub cells: Vec<f64>,
+    /// Cells in x.
+    pub nx: usize,
+    /// Cells in y.
+    pub ny: usize,
+    /// Lower corner.
+    pub lower: [f64; 2],
+    /// Upper corner.
+    pub upper: [f64; 2],
+}
+
+const MOST_MAPS: usize = 4;
+
+/// Colours: so many that the eye sees no steps, so few that neighbours often share one.
+const COLOURS: usize = 64;
+
+/// Viridis at even distances, as red, green and blue: of even steps to the eye, also to the
+/// colour-blind and in print (van der Walt & Smith 2015).
+const VIRIDIS: [u32; 16] = [
+    0x440154, 0x481a6c, 0x472f7d, 0x414487, 0x39568c, 0x31688e, 0x2a788e, 0x23888e, //
+    0x1f988b, 0x22a884, 0x35b779, 0x54c568, 0x7ad151, 0xa5db36, 0xd2e21b, 0xfde725,
+];
+
+// All lengths in pixels.
+const HEAD: f64 = 44.0;
+/// The largest side of a map: 64, 96 or 128 cells are whole pixels.
+const SIDE: f64 = 384.0;
+const MARGIN: Margin = Margin {
+    left: 64.0,
+    right: 92.0,
+    above: 30.0,
+    below: 40.0,
+};
+/// The colour bar: distance from the map, width, and least height.
+const BAR: (f64, f64, f64) = (16.0, 14.0, 100.0);
+/// From one tick to the next, at least.
+const TICK_SPACING: f64 = 48.0;
+
+const INK: &str = "#333333";
+const EMPTY: &str = "#ececec";
+
+struct Margin {
+    left: f64,
+    right: f64,
+    above: f64,
+    below: f64,
+}
+
+/// A rectangle on the page.
+#[derive(Clone, Copy)]
+struct Frame {
+    x: f64,
+    y: f64,
+    width: f64,
+    height: f64,
+}
+
+/// Draws 1 to 4 maps, two beside each other, lengths in x and y to the same scale; each has the
+/// colours of viridis from its least to its largest value.
+/// Returns the picture as SVG text.
+///
+/// # Errors
+/// Another number of maps; a map with other cells than `nx * ny`, or without extent.
+pub fn maps(title: &str, maps: &[Map]) -> Result<String, FigureError> {
+    let count = maps.len();
+    if !(1..=MOST_MAPS).contains(&count) {
+        return Err(FigureError::MapCount { count });
+    }
+    maps.iter().try_for_each(check)?;
+
+    let columns = count.min(2);
+    let column_width = MARGIN.left + SIDE + MARGIN.right;
+    let mut body = String::new();
+    let mut y = HEAD;
+    for row in maps.chunks(columns) {
+        let height = row.iter().map(|map| size(map).1).fold(BAR.2, f64::max);
+        for (column, map) in row.iter().enumerate() {
+            let (width, own) = size(map);
+            let frame = Frame {
+                x: column as f64 * column_width + MARGIN.left + (SIDE - width) / 2.0,
+                y: y + MARGIN.above + (height - own) / 2.0,
+                width,
+                height: own,
+            };
+            draw(&mut body, map, frame);
+        }
+        y += MARGIN.above + height + MARGIN.below;
+    }
+    let (width, height) = (columns as f64 * column_width, y);
+    let mut text = format!(
+        "<svg width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" \
+         xmlns=\"http://www.w3.org/2000/svg\" font-family=\"sans-serif\" fill=\"{INK}\">\n\
+         <rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+        px(width),
+        px(height)
+    );
+    label(&mut text, (18.0, 24.0), (18, "start"), title);
+    Ok(text + &body + "</svg>\n")
+}
+
+fn check(map: &Map) -> Result<(), FigureError> {
+    let Map { nx, ny, .. } = *map;
+    if map.cells.is_empty() || nx.checked_mul(ny) != Some(map.cells.len()) {
+        return Err(FigureError::CellCount {
+            heading: map.heading.clone(),
+            cells: map.cells.len(),
+            nx,
+            ny,
+        });
+    }
+    let span = |d: usize| map.upper[d] - map.lower[d];
+    if !(0..2).all(|d| span(d) > 0.0 && span(d).is_finite()) {
+        return Err(FigureError::Bounds {
+            heading: map.heading.clone(),
+            lower: map.lower,
+            upper: map.upper,
+        });
+    }
+    Ok(())
+}
+
+/// Width and height of a map.
+fn size(map: &Map) -> (f64, f64) {
+    let [x, y] = [0, 1].map(|d| map.upper[d] - map.lower[d]);
+    let longer = x.max(y);
+    (SIDE * (x / longer), SIDE * (y / longer))
+}
+
+/// The cells, their frame with ticks, and the colour bar.
+fn draw(text: &mut String, map: &Map, frame: Frame) {
+    let finite = map.cells.iter().copied().filter(|value| value.is_finite());
+    let values = range(finite, 0.0);
+    let Frame {
+        x,
+        y,
+        width,
+        height,
+    } = frame;
+    let middle = (x + width / 2.0, y - 14.0);
+    label(text, middle, (14, "middle"), &map.heading);
+    let _ = writeln!(text, "<rect {} fill=\"{EMPTY}\"/>", place(frame));
+    paint(text, frame, (map.nx, map.ny), |cell| {
+        level(map.cells[cell], &values)
+    });
+    outline(text, frame);
+
+    for value in ticks(map.lower[0]..map.upper[0], width) {
+        let part = (value - map.lower[0]) / (map.upper[0] - map.lower[0]);
+        let (x, bottom) = (x + part * width, y + height);
+        stroke(text, (x, bottom), (0.0, 4.0));
+        let words = tick(value, &(map.lower[0]..map.upper[0]));
+        label(text, (x, bottom + 13.0), (12, "middle"), &words);
+    }
+    for value in ticks(map.lower[1]..map.upper[1], height) {
+        let part = (value - map.lower[1]) / (map.upper[1] - map.lower[1]);
+        let y = y + height - part * height;
+        stroke(text, (x, y), (-4.0, 0.0));
+        let words = tick(value, &(map.lower[1]..map.upper[1]));
+        label(text, (x - 8.0, y), (12, "end"), &words);
+    }
+    draw_bar(text, frame, &values);
+}
+
+/// The colours and what they stand for, right of a map.
+fn draw_bar(text: &mut String, map: Frame, values: &Range<f64>) {
+    let height = map.height.max(BAR.2);
+    let bar = Frame {
+        x: map.x + map.width + BAR.0,
+        y: map.y + (map.height - height) / 2.0,
+        width: BAR.1,
+        height,
+    };
+    paint(text, bar, (1, COLOURS), Some);
+    outline(text, bar);
+    for value in ticks(values.clone(), height) {
+        let part = (value - values.start) / (values.end - values.start);
+        let (x, y) = (bar.x + bar.width, bar.y + height - part * height);
+        stroke(text, (x, y), (4.0, 0.0));
+        label(text, (x + 8.0, y), (12, "start"), &tick(value, values));
+    }
+}
+
+/// Fills a frame with cells: for each colour one path, in units of cells, with a stroke for each
+/// run of cells of that colour in a row.
+fn paint(
+    text: &mut String,
+    frame: Frame,
+    (nx, ny): (usize, usize),
+    level: impl Fn(usize) -> Option<usize>,
+) {
+    let mut paths: BTreeMap<usize, String> = BTreeMap::new();
+    for j in 0..ny {
+        let mut i = 0;
+        while i < nx {
+            let colour = level(j * nx + i);
+            let run = (i..nx).take_while(|i| level(j * nx + i) == colour).count();
+            if let Some(colour) = colour {
+                let _ = write!(paths.entry(colour).or_default(), "M{i} {j}h{run}");
+            }
+            i += run;
+        }
+    }
+    let (width, height) = (frame.width / nx as f64, frame.height / ny as f64);
+    // Strokes lie half above, half below their row's centre; y runs upwards.
+    let bottom = frame.y + frame.height - height / 2.0;
+    // Without `crispEdges` the page would shine through between cells.
+    let _ = writeln!(
+        text,
+        "<g class=\"cells\" transform=\"translate({} {bottom}) scale({width} -{height})\" \
+         shape-rendering=\"crispEdges\">",
+        frame.x
+    );
+    for (colour, path) in paths {
+        let colour = viridis(colour);
+        let _ = writeln!(text, "<path stroke=\"#{colour:06x}\" d=\"{path}\"/>");
+    }
+    text.push_str("</g>\n");
+}
+
+/// The colour of a value, 0 to 63; none for what is not finite.
+fn level(value: f64, values: &Range<f64>) -> Option<usize> {
+    let part = (value - values.start) / (values.end - values.start);
+    let level = (part * COLOURS as f64) as usize;
+    value.is_finite().then_some(level.min(COLOURS - 1))
+}
+
+/// The colour of a level, between the two next to it in the table.
+fn viridis(level: usize) -> u32 {
+    let intervals = VIRIDIS.len() - 1;
+    let place = level * intervals;
+    let (first, part) = (place / (COLOURS - 1), place % (COLOURS - 1));
+    let (lower, upper) = (VIRIDIS[first], VIRIDIS[(first + 1).min(intervals)]);
+    let (near, far) = ((COLOURS - 1 - part) as u32, part as u32);
+    let mixed = |shift: u32| {
+        let [lower, upper] = [lower, upper].map(|colour| (colour >> shift) & 0xff);
+        ((lower * near + upper * far) / (near + far)) << shift
+    };
+    mixed(16) | mixed(8) | mixed(0)
+}
+
+/// Multiples of 1, 2 or 5 times a power of ten within a range, as many as fit a length.
+fn ticks(range: Range<f64>, length: f64) -> impl Iterator<Item = f64> {
+    // At most 6 intervals: for those `tick` has the digits. Two ticks to read a scale from.
+    let most = (length / TICK_SPACING).floor().clamp(2.0, 6.0);
+    let least = (range.end - range.start) / most;
+    let power = 10.0_f64.powf(least.log10().floor());
+    let multiple = [1.0, 2.0, 5.0, 10.0].map(|factor| factor * power);
+    let step = multiple.into_iter().find(|step| *step >= least * 0.999_999);
+    let step = step.unwrap_or(least);
+    // An extreme that misses a round number by less than a pixel still shows it.
+    let slack = 0.002 * (range.end - range.start) / step;
+    let first = (range.start / step - slack).ceil() as i64;
+    let last = (range.end / step + slack).floor() as i64;
+    (first..=last).map(move |k| k as f64 * step)
+}
+
+fn label(text: &mut String, (x, y): (f64, f64), (size, anchor): (u32, &str), words: &str) {
+    // A third of the size below: centred, in every renderer.
+    let (x, y) = (px(x), px(y + 0.35 * f64::from(size)));
+    let words = escaped(words);
+    let _ = writeln!(
+        text,
+        "<text x=\"{x}\" y=\"{y}\" font-size=\"{size}\" text-anchor=\"{anchor}\">{words}</text>"
+    );
+}
+
+fn stroke(text: &mut String, (x, y): (f64, f64), (dx, dy): (f64, f64)) {
+    let (x, y) = (px(x), px(y));
+    let _ = writeln!(text, "<path d=\"M{x} {y}l{dx} {dy}\" stroke=\"{INK}\"/>");
+}
+
+fn outline(text: &mut String, frame: Frame) {
+    let place = place(frame);
+    let _ = writeln!(text, "<rect {place} fill=\"none\" stroke=\"{INK}\"/>");
+}
+
+fn place(frame: Frame) -> String {
+    let [x, y, width, height] = [frame.x, frame.y, frame.width, frame.height].map(px);
+    format!("x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"")
+}
+
+/// Hundredths of a pixel.
+fn px(value: f64) -> String {
+    ((100.0 * value).round() / 100.0).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A map of the values of a function of the cell.
+    fn map((nx, ny): (usize, usize), value: impl Fn(usize) -> f64) -> Map {
+        Map {
+            heading: "density".to_owned(),
+            cells: (0..nx * ny).map(value).collect(),
+            nx,
+            ny,
+            lower: [0.0, 0.0],
+            upper: [nx as f64, ny as f64],
+        }
+    }
+
+    /// Values in 0..1 without order.
+    fn noise(cell: usize) -> f64 {
+        (cell as f64 * 0.618_033_988_749_895).fract()
+    }
+
+    /// The colour of every cell of the first map of a picture, in a file read back.
+    fn read_back(text: &str, nx: usize, ny: usize) -> Vec<Option<String>> {
+        let mut cells = vec![None; nx * ny];
+        let group = text.split("<g class=\"cells\"").nth(1).unwrap();
+        let group = group.split("</g>").next().unwrap();
+        for path in group.split("stroke=\"").skip(1) {
+            let mut parts = path.split('"');
+            let (colour, runs) = (parts.next().unwrap(), parts.nth(1).unwrap());
+            for run in runs.split('M').skip(1) {
+                let numbers = run.split([' ', 'h']).map(|n| n.parse().unwrap());
+                let [i, j, length]: [usize; 3] = numbers.collect::<Vec<_>>().try_into().unwrap();
+                for cell in &mut cells[j * nx + i..j * nx + i + length] {
+                    assert_eq!(cell.replace(colour.to_owned()), None, "painted twice");
+                }
+            }
+        }
+        cells
+    }
+
+    #[test]
+    fn every_cell_is_painted_once_in_its_colour_and_empty_ones_are_not() {
+        let value = |cell: usize| match cell % 7 {
+            3 => f64::NAN,
+            5 => f64::INFINITY,
+            _ => (cell / 9) as f64,
+        };
+        let map = map((31, 17), value);
+        let text = maps("title", std::slice::from_ref(&map)).unwrap();
+        let painted = read_back(&text, 31, 17);
+        let mut seen: BTreeMap<usize, String> = BTreeMap::new();
+        for (cell, colour) in painted.into_iter().enumerate() {
+            // The largest value that is not empty is (31 * 17 - 1) / 9.
+            let level = level(map.cells[cell], &(0.0..58.0));
+            assert_eq!(colour.is_some(), map.cells[cell].is_finite());
+            if let (Some(level), Some(colour)) = (level, colour) {
+                assert_eq!(seen.entry(level).or_insert(colour.clone()), &colour);
+            }
+        }
+        assert!(seen.len() > 50, "{} colours", seen.len());
+        assert_eq!((&*seen[&0], &*seen[&63]), ("#440154", "#fde725"));
+        let colours: std::collections::BTreeSet<&String> = seen.values().collect();
+        assert_eq!(colours.len(), seen.len(), "each level has its own colour");
+    }
+
+    #[test]
+    fn a_picture_stays_small_where_no_two_neighbours_agree() {
+        let map = map((128, 128), noise);
+        let one = maps("t", std::slice::from_ref(&map)).unwrap().len();
+        let four = maps("t", &vec![map.clone(); 4]).unwrap().len();
+        assert!(one < 250_000 && four < 900_000, "{one}, {four} bytes");
+        let smooth = |cell: usize| ((cell % 128) as f64 / 40.0).sin() + (cell / 128) as f64 / 50.0;
+        let smooth = Map {
+            cells: (0..128 * 128).map(smooth).collect(),
+            ..map
+        };
+        let four = maps("t", &vec![smooth; 4]).unwrap().len();
+        assert!(four < 300_000, "{four} bytes");
+    }
+
+    #[test]
+    fn lengths_in_x_and_y_have_one_scale() {
+        for upper in [[3.0, 1.0], [1.0, 4.0], [2.0, 2.0], [1e-3, 5e-4]] {
+            let map = Map {
+                upper,
+                ..map((12, 7), noise)
+            };
+            let text = maps("title", &[map]).unwrap();
+            let scale = text.split("scale(").nth(1).unwrap();
+            let scale = scale.split(')').next().unwrap();
+            let (x, y) = scale.split_once(" -").unwrap();
+            let [x, y]: [f64; 2] = [x, y].map(|side| side.parse().unwrap());
+            let (x, y) = (12.0 * x / upper[0], 7.0 * y / upper[1]);
+            assert!((x / y - 1.0).abs() < 1e-12, "{x} and {y} pixels a length");
+        }
+    }
+
+    #[test]
+    fn empty_and_constant_maps_are_drawn_and_words_are_escaped() {
+        let constant = |value: f64| map((4, 3), move |_| value);
+        let named = Map {
+            heading: "a < b & c".to_owned(),
+            ..constant(1e-300)
+        };
+        let all = [constant(f64::NAN), constant(0.0), constant(-3.0), named];
+        let text = maps("x > 0", &all).unwrap();
+        assert!(text.starts_with("<svg") && text.ends_with("</svg>\n"));
+        assert!(text.contains(">a &lt; b &amp; c<") && text.contains(">x &gt; 0<"));
+        assert!(!text.contains("NaN") && !text.contains("inf"));
+        assert!(read_back(&text, 4, 3).iter().all(Option::is_none));
+    }
+
+    #[test]
+    fn what_is_no_map_is_refused() {
+        let good = map((4, 3), noise);
+        for count in [0, 5] {
+            let error = maps("t", &vec![good.clone(); count]).unwrap_err();
+            assert!(error.to_string().starts_with(&format!("{count} maps")));
+        }
+        let refusal = |map: Map| maps("t", &[map]).unwrap_err().to_string();
+        let ny = 4;
+        let text = refusal(Map { ny, ..good.clone() });
+        assert_eq!(text, "the map \"density\" has 12 cells for 4 x 4");
+        assert!(refusal(map((0, 0), noise)).contains("0 cells"));
+        for upper in [
+            [0.0, 1.0],
+            [1.0, -1.0],
+            [f64::NAN, 1.0],
+            [f64::INFINITY, 1.0],
+        ] {
+            let map = Map {
+                upper,
+                ..good.clone()
+            };
+            assert!(refusal(map).contains("need lower < upper"));
+        }
+    }
+
+    #[test]
+    fn ticks_are_round_numbers_within_the_range() {
+        for (range, length, expected) in [
+            (0.0..1.0, 320.0, vec![0.0, 0.2, 0.4, 0.6, 0.8, 1.0]),
+            (-0.5..0.5, 160.0, vec![-0.5, 0.0, 0.5]),
+            (0.9..1.07, 320.0, vec![0.9, 0.95, 1.0, 1.05]),
+            (0.0..3e5, 60.0, vec![0.0, 2e5]),
+            (1.000_1..1.999_9, 160.0, vec![1.0, 1.5, 2.0]),
+        ] {
+            let found: Vec<f64> = ticks(range.clone(), length).collect();
+            assert_eq!(found.len(), expected.len(), "{found:?} in {range:?}");
+            for (found, expected) in found.iter().zip(&expected) {
+                assert!((found - expected).abs() < 1e-12);
+            }
+        }
+    }
+}

@@ -3,4 +3,5 @@
 pub mod figure;
 pub mod map;
 mod raster;
+pub mod suite;
 pub mod summary;

@@ -82,7 +82,7 @@ mod tests {
     fn it_is_the_sum_over_all_particles() {
         let positions = strewn(300);
         let (values, n) = (wave(&positions), [23, 9]);
-        for eps in [0.01, 0.04, 3.0] {
+        for eps in [0.01, 0.04, 0.3, 3.0] {
             let cells = rasterised(&positions, &values, eps, LOWER, UPPER, n);
             assert_eq!(cells.len(), 23 * 9);
             for (cell, value) in cells.iter().enumerate() {

@@ -2,8 +2,19 @@
 
 use std::collections::BTreeMap;
 
-use crate::exact::riemann::{GasState, RiemannError, RiemannProblem, RiemannSolution};
-use crate::scenario::{EquationOfState, Exact, Extent, Region, Scenario, Side};
+use crate::exact::flow::{Flow, FlowError, FlowState};
+use crate::exact::gresho::{Gresho, GreshoProblem};
+use crate::exact::moving_centre::MovingCentre;
+use crate::exact::noh::NohProblem;
+use crate::exact::riemann::{
+    GasState, RiemannError, RiemannFlow, RiemannProblem, RiemannSolution,
+};
+use crate::exact::sedov::SedovProblem;
+use crate::exact::sound_wave::SoundWaveProblem;
+use crate::exact::yee_vortex::YeeVortexProblem;
+use crate::scenario::{
+    EquationOfState, Exact, Extent, Norm, Profile, Region, Ring, Scenario, Side,
+};
 use crate::simulation::ParticleRow;
 
 /// Norms of the error of one field over a window.
@@ -15,18 +26,113 @@ pub struct Norms {
     pub l2: f64,
     /// `max_k |err_k|`.
     pub linf: f64,
+    /// `Σ |err_k| / n`: every particle counts the same.
+    pub mean: f64,
 }
 
-/// The fields that are compared, in the order of tables and pictures.
-pub const FIELDS: [&str; 4] = ["density", "velocity", "pressure", "energy"];
+impl Norms {
+    /// One of them.
+    pub fn of(&self, norm: Norm) -> f64 {
+        match norm {
+            Norm::L1 => self.l1,
+            Norm::L2 => self.l2,
+            Norm::Linf => self.linf,
+            Norm::Mean => self.mean,
+        }
+    }
+}
 
-/// The exact solution at a point, field by field in the order of [`FIELDS`].
-pub type FieldValues = [f64; 4];
+/// The fields that are compared, in the order of tables and pictures. The error of the
+/// velocity is the length of the difference of the two vectors.
+pub const FIELDS: [&str; 4] = ["density", "velocity", "pressure", "energy"];
 
 /// The exact solution of a scenario.
 pub struct ExactSolution {
-    solution: RiemannSolution,
-    interface: f64,
+    flow: Box<dyn Flow>,
+    riemann: Option<(RiemannSolution, f64)>,
+    dimension: usize,
+}
+
+/// Why a scenario has no exact solution after all.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+pub enum ExactError {
+    /// Of the Riemann problem.
+    #[error("the exact solution does not exist: {0}")]
+    Riemann(#[from] RiemannError),
+    /// Of another flow.
+    #[error("the exact solution does not exist: {0}")]
+    Flow(#[from] FlowError),
+}
+
+/// The flow that a profile begins, known at all times; `None` where only its beginning is.
+///
+/// # Errors
+/// Numbers for which the flow does not exist.
+pub fn profile_flow(scenario: &Scenario) -> Result<Option<Box<dyn Flow>>, FlowError> {
+    let (Some(profile), EquationOfState::IdealGas { gamma }) =
+        (&scenario.profile, scenario.materials[0].law)
+    else {
+        return Ok(None);
+    };
+    let extent = &scenario.domain.extent;
+    let length = |i: usize| extent.upper[i] - extent.lower[i];
+    let centre = |velocity: &[f64]| MovingCentre {
+        position: [0.0; 2],
+        velocity: [velocity[0], velocity[1]],
+        period: (scenario.domain.sides.iter())
+            .all(|sides| *sides == [Side::Periodic; 2])
+            .then(|| [length(0), length(1)]),
+    };
+    Ok(match profile {
+        &Profile::Noh {
+            density,
+            speed,
+            pressure,
+        } => Some(Box::new(
+            NohProblem {
+                dimension: scenario.dimension,
+                gamma,
+                density,
+                speed,
+                pressure,
+            }
+            .solve()?,
+        )),
+        &Profile::SoundWave {
+            amplitude,
+            density,
+            pressure,
+        } => Some(Box::new(
+            SoundWaveProblem {
+                gamma,
+                density,
+                pressure,
+                amplitude,
+                wavelength: length(0),
+            }
+            .solve()?,
+        )),
+        Profile::YeeVortex { strength, velocity } => Some(Box::new(
+            YeeVortexProblem {
+                gamma,
+                strength: *strength,
+                centre: centre(velocity),
+            }
+            .solve()?,
+        )),
+        Profile::Gresho { velocity, mach } => Some(Box::new(
+            GreshoProblem {
+                gamma,
+                central_pressure: match *mach {
+                    Some(mach) => Gresho::central_pressure_of_mach(mach, gamma),
+                    None => 5.0,
+                },
+                centre: centre(velocity),
+            }
+            .solve()?,
+        )),
+        Profile::KelvinHelmholtz => None,
+    })
 }
 
 impl ExactSolution {
@@ -34,39 +140,42 @@ impl ExactSolution {
     ///
     /// # Errors
     /// Data that the exact solution does not exist for.
-    pub fn of(scenario: &Scenario) -> Result<Option<Self>, RiemannError> {
-        let Some(Exact::Riemann) = scenario.output.exact else {
-            return Ok(None);
+    pub fn of(scenario: &Scenario) -> Result<Option<Self>, ExactError> {
+        let dimension = scenario.dimension;
+        let of = |flow, riemann| {
+            Some(Self {
+                flow,
+                riemann,
+                dimension,
+            })
         };
-        let EquationOfState::IdealGas { gamma } = scenario.materials[0].law else {
-            return Ok(None);
-        };
-        let mut sides: Vec<_> = scenario.regions.iter().collect();
-        sides.sort_by(|a, b| a.extent.lower[0].total_cmp(&b.extent.lower[0]));
-        let state = |i: usize| GasState {
-            density: sides[i].density,
-            velocity: sides[i].velocity[0],
-            pressure: sides[i].pressure,
-        };
-        let problem = RiemannProblem {
-            left: state(0),
-            right: state(1),
-            left_gamma: gamma,
-            right_gamma: gamma,
-        };
-        let interface = sides[1].extent.lower[0];
-        Ok(Some(Self {
-            solution: problem.solve()?,
-            interface,
-        }))
+        Ok(match scenario.output.exact {
+            None => None,
+            Some(Exact::Profile) => profile_flow(scenario)?.and_then(|flow| of(flow, None)),
+            Some(Exact::Riemann) => {
+                let (solution, interface, normal) = riemann(scenario)?;
+                let flow = RiemannFlow {
+                    solution,
+                    interface,
+                    normal,
+                };
+                of(Box::new(flow), Some((solution, interface)))
+            }
+            Some(Exact::Sedov) => of(Box::new(sedov(scenario)?), None),
+            Some(Exact::Reference) => of(reference(scenario)?, None),
+        })
     }
 
-    /// Where the waves begin and end at a time: the solution is smooth between them.
+    /// Where the waves begin and end at a time, along the direction of a Riemann problem: the
+    /// solution is smooth between them. Empty for other solutions.
     pub fn edges(&self, time: f64) -> Vec<f64> {
-        let contact = self.solution.star().map(|star| star.velocity);
-        let waves = [self.solution.left_wave(), self.solution.right_wave()];
+        let Some((solution, interface)) = &self.riemann else {
+            return Vec::new();
+        };
+        let contact = solution.star().map(|star| star.velocity);
+        let waves = [solution.left_wave(), solution.right_wave()];
         let speeds = waves.as_flattened().iter().copied().chain(contact);
-        let mut edges: Vec<f64> = speeds.map(|speed| self.interface + speed * time).collect();
+        let mut edges: Vec<f64> = speeds.map(|speed| interface + speed * time).collect();
         edges.dedup();
         edges
     }
@@ -74,32 +183,38 @@ impl ExactSolution {
     /// Why the comparison may not mean what it says: the solution is that of two gases that
     /// fill all of space, and the ends of the domain can be felt in the window.
     pub fn doubt(&self, scenario: &Scenario) -> Option<String> {
+        self.riemann.as_ref()?;
+        let direction = scenario.riemann_direction()?;
         let (extent, window) = (&scenario.domain.extent, &scenario.output.window);
         let time = scenario.time.end;
         let edges = self.edges(time);
         let first = edges.iter().copied().fold(f64::INFINITY, f64::min);
         let last = edges.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        if first < extent.lower[0] || last > extent.upper[0] {
+        if first < extent.lower[direction] || last > extent.upper[direction] {
             return Some("the waves have reached the ends of the domain".to_owned());
         }
         // What an end sends out travels at most with the speed of its gas and of sound.
-        let EquationOfState::IdealGas { gamma } = scenario.materials[0].law else {
-            return None;
-        };
-        for (end, side) in scenario.domain.sides[0].iter().enumerate() {
-            let place = [extent.lower[0], extent.upper[0]][end];
-            let touches =
-                |region: &&Region| [region.extent.lower[0], region.extent.upper[0]][end] == place;
+        for (end, side) in scenario.domain.sides[direction].iter().enumerate() {
+            let place = [extent.lower[direction], extent.upper[direction]][end];
+            let touches = |region: &&Region| {
+                [region.extent.lower[direction], region.extent.upper[direction]][end] == place
+            };
             let region = scenario.regions.iter().find(touches);
-            let still = region.is_some_and(|region| region.velocity[0] == 0.0);
+            let still = region.is_some_and(|region| region.velocity[direction] == 0.0);
             if *side == Side::Mirror && still {
                 continue;
             }
             let speed = |region: &Region| {
-                region.velocity[0].abs() + 3.0 * (gamma * region.pressure / region.density).sqrt()
+                let law = &scenario.materials[region.material].law;
+                let energy = law.energy(region.density, region.pressure);
+                let sound = law.sound_speed_squared(region.density, energy).sqrt();
+                region.velocity[direction].abs() + 3.0 * sound
             };
             let fastest = scenario.regions.iter().map(speed).fold(0.0, f64::max);
-            let distance = [window.lower[0] - place, place - window.upper[0]][end];
+            let distance = [
+                window.lower[direction] - place,
+                place - window.upper[direction],
+            ][end];
             if distance < fastest * time || region.is_none() {
                 let name = ["lower", "upper"][end];
                 return Some(format!(
@@ -111,22 +226,110 @@ impl ExactSolution {
     }
 
     /// The solution at a point and a time, > 0.
-    pub fn at(&self, position: f64, time: f64) -> FieldValues {
-        let xi = (position - self.interface) / time;
-        let state = self.solution.sample(xi);
-        let energy = self.solution.internal_energy(xi);
-        [state.density, state.velocity, state.pressure, energy]
+    pub fn at(&self, position: [f64; 3], time: f64) -> FlowState {
+        self.flow.at(position, time)
+    }
+
+    /// The same as a row of a table: density, the components of the velocity, pressure and
+    /// internal energy.
+    pub fn row(&self, position: [f64; 3], time: f64) -> Vec<f64> {
+        let state = self.at(position, time);
+        let mut row = vec![state.density];
+        row.extend(&state.velocity[..self.dimension]);
+        row.extend([state.pressure, state.energy]);
+        row
+    }
+
+    /// The errors of a particle, in the order of [`FIELDS`].
+    fn errors(&self, particle: &ParticleRow, time: f64) -> [f64; 4] {
+        let exact = self.at(particle.position, time);
+        let difference = particle.velocity.iter().zip(exact.velocity);
+        let squares: f64 = difference.map(|(a, b)| (a - b) * (a - b)).sum();
+        [
+            (particle.density - exact.density).abs(),
+            squares.sqrt(),
+            (particle.pressure - exact.pressure).abs(),
+            (particle.energy - exact.energy).abs(),
+        ]
     }
 }
 
-/// A particle's fields, in the order of [`FIELDS`].
-pub fn fields(particle: &ParticleRow) -> FieldValues {
-    [
-        particle.density,
-        particle.velocity,
-        particle.pressure,
-        particle.energy,
-    ]
+/// The solution of a scenario's Riemann problem, where its two regions meet, and across which
+/// direction.
+fn riemann(scenario: &Scenario) -> Result<(RiemannSolution, f64, [f64; 3]), RiemannError> {
+    let direction = scenario.riemann_direction().unwrap_or(0);
+    let mut sides: Vec<_> = scenario.regions.iter().collect();
+    let place = |region: &Region| region.extent.lower[direction];
+    sides.sort_by(|a, b| place(a).total_cmp(&place(b)));
+    let state = |i: usize| GasState {
+        density: sides[i].density,
+        velocity: sides[i].velocity[direction],
+        pressure: sides[i].pressure,
+    };
+    let law = |i: usize| match scenario.materials[sides[i].material].law {
+        EquationOfState::IdealGas { gamma } => (gamma, 0.0),
+        EquationOfState::StiffenedGas {
+            gamma,
+            pressure_at_infinity,
+        } => (gamma, pressure_at_infinity),
+        // The scenario has been checked: no other has an exact solution.
+        _ => (f64::NAN, f64::NAN),
+    };
+    let problem = RiemannProblem {
+        left: state(0),
+        right: state(1),
+        left_gamma: law(0).0,
+        right_gamma: law(1).0,
+        left_pressure_at_infinity: law(0).1,
+        right_pressure_at_infinity: law(1).1,
+    };
+    let mut normal = [0.0; 3];
+    normal[direction] = 1.0;
+    Ok((problem.solve()?, place(sides[1]), normal))
+}
+
+/// The blast wave of a scenario's deposit.
+fn sedov(scenario: &Scenario) -> Result<impl Flow + use<>, FlowError> {
+    let EquationOfState::IdealGas { gamma } = scenario.materials[0].law else {
+        return Err(FlowError::OutOfRange {
+            quantity: "gamma",
+            value: f64::NAN,
+            need: "an ideal gas",
+        });
+    };
+    SedovProblem {
+        dimension: scenario.dimension,
+        gamma,
+        density: scenario.regions[0].density,
+        energy: scenario.deposits[0].energy,
+        pressure: scenario.regions[0].pressure,
+    }
+    .solve()
+}
+
+/// A converged run of a finite-volume scheme.
+fn reference(_: &Scenario) -> Result<Box<dyn Flow>, FlowError> {
+    todo!("finite volumes")
+}
+
+/// The particles in a window and, where there is one, a ring.
+pub fn within<'p>(
+    particles: &'p [ParticleRow],
+    window: &Extent,
+    ring: Option<&Ring>,
+) -> impl Iterator<Item = &'p ParticleRow> {
+    particles.iter().filter(move |particle| {
+        let bounds = window.lower.iter().zip(&window.upper);
+        let in_box = bounds
+            .zip(&particle.position)
+            .all(|((lower, upper), x)| (*lower..=*upper).contains(x));
+        in_box
+            && ring.is_none_or(|ring| {
+                let from = ring.center.iter().zip(&particle.position);
+                let squares: f64 = from.map(|(c, x)| (x - c) * (x - c)).sum();
+                (ring.inner..=ring.outer).contains(&squares.sqrt())
+            })
+    })
 }
 
 /// The norms of every field over the particles in the window; `None` if there are none.
@@ -134,28 +337,27 @@ pub fn norms(
     exact: &ExactSolution,
     particles: &[ParticleRow],
     time: f64,
-    window: &Extent,
+    scenario: &Scenario,
 ) -> Option<BTreeMap<&'static str, Norms>> {
-    let inside = |p: &&ParticleRow| (window.lower[0]..=window.upper[0]).contains(&p.position);
-    let mut sums = [(0.0, 0.0, 0.0f64); 4];
-    let mut total = 0.0;
-    for particle in particles.iter().filter(inside) {
+    let (window, ring) = (&scenario.output.window, scenario.output.ring.as_ref());
+    let mut sums = [(0.0, 0.0, 0.0f64, 0.0); 4];
+    let (mut total, mut count) = (0.0, 0.0);
+    for particle in within(particles, window, ring) {
         let volume = particle.mass / particle.density;
-        total += volume;
-        let values = fields(particle)
-            .into_iter()
-            .zip(exact.at(particle.position, time));
-        for ((l1, l2, linf), (value, exact)) in sums.iter_mut().zip(values) {
-            let error = (value - exact).abs();
+        (total, count) = (total + volume, count + 1.0);
+        let errors = exact.errors(particle, time);
+        for ((l1, l2, linf, mean), error) in sums.iter_mut().zip(errors) {
             *l1 += volume * error;
             *l2 += volume * error * error;
             *linf = linf.max(error);
+            *mean += error;
         }
     }
-    let norms = sums.map(|(l1, l2, linf)| Norms {
+    let norms = sums.map(|(l1, l2, linf, mean)| Norms {
         l1: l1 / total,
         l2: (l2 / total).sqrt(),
         linf,
+        mean: mean / count,
     });
     (total > 0.0).then(|| FIELDS.into_iter().zip(norms).collect())
 }

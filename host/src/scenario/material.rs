@@ -83,6 +83,27 @@ impl EquationOfState {
         }
     }
 
+    /// The square of the sound speed; 0 where it would be negative.
+    pub fn sound_speed_squared(&self, density: f64, energy: f64) -> f64 {
+        let squared = match *self {
+            Self::IdealGas { gamma } => gamma * self.pressure(density, energy) / density,
+            Self::StiffenedGas {
+                gamma,
+                pressure_at_infinity,
+            } => gamma * (self.pressure(density, energy) + pressure_at_infinity) / density,
+            Self::Isothermal { sound_speed } => sound_speed * sound_speed,
+            Self::Tait {
+                density: reference,
+                sound_speed,
+                exponent,
+            } => {
+                let power = (1..exponent).fold(1.0, |power, _| power * (density / reference));
+                sound_speed * sound_speed * power
+            }
+        };
+        squared.max(0.0)
+    }
+
     /// The internal energy per mass at a density and a pressure; 0 where it plays no part.
     pub fn energy(&self, density: f64, pressure: f64) -> f64 {
         match *self {

@@ -1,0 +1,384 @@
+//! From a scenario to a plan: solver units, and the particles in them.
+
+use motes_core::cutoff::{CutOff, Named};
+use motes_core::domain::{Axis, Side};
+use motes_core::equation::gas::{
+    Diffusion, EnergyForm, Options, Particle, Stretch, Switch, Weights, Width,
+};
+
+use super::limits::check_memory;
+use super::plan::Plan;
+use super::RunError;
+use crate::scenario::{
+    self, Arrangement, CutOffShape, EnergyRule, EquationOfState, Scenario, Share, ViscosityKind,
+};
+use crate::setup::{self, Placed, SetupError};
+use crate::units::SolverUnits;
+
+/// A scenario that cannot be planned.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+pub enum PlanError {
+    /// The particles cannot be placed.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Setup(#[from] SetupError),
+    /// A cut-off that reaches too few or too many particles.
+    #[error(
+        "eta = {eta} makes the cut-off `{cut_off}` reach {reach} spacings: need {least} to {most}"
+    )]
+    #[diagnostic(help("set cut-off.eta between {} and {}", least / support, most / support))]
+    Reach {
+        /// Width in spacings.
+        eta: f64,
+        /// Name of the cut-off.
+        cut_off: &'static str,
+        /// Its support in units of its width.
+        support: f64,
+        /// Their product.
+        reach: f64,
+        /// The least that works.
+        least: f64,
+        /// The most that is allowed.
+        most: f64,
+    },
+    /// Numbers so large or small that the solver's units are not finite.
+    #[error("the unit of {unit} would be {value:e}")]
+    #[diagnostic(help("give the scenario in units in which its numbers are nearer to 1"))]
+    Extreme {
+        /// Which solver unit.
+        unit: &'static str,
+        /// What it would be.
+        value: f64,
+    },
+    /// More particles than ids.
+    #[error("{particles} particles are more than this build can number ({limit})")]
+    #[diagnostic(help("use fewer particles (-n, resolution.particles)"))]
+    TooMany {
+        /// How many were asked for.
+        particles: usize,
+        /// How many there can be.
+        limit: usize,
+    },
+    /// More particles than fit into memory.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Memory(RunError),
+}
+
+/// Ids, cells and words of neighbour lists are 32 bits wide; cells are up to four a particle.
+const LARGEST: usize = 1 << 29;
+
+impl Plan {
+    /// Plans a run.
+    ///
+    /// # Errors
+    /// What [`PlanError`] lists.
+    pub fn new(scenario: &Scenario) -> Result<Self, PlanError> {
+        let particles = scenario.resolution.particles;
+        if particles > LARGEST {
+            return Err(PlanError::TooMany {
+                particles,
+                limit: LARGEST,
+            });
+        }
+        check_memory(particles, size_of::<Placed>()).map_err(PlanError::Memory)?;
+        check_reach(scenario)?;
+        let placed = setup::particles(scenario)?;
+        let units = units(scenario, &placed);
+        check_units(&units)?;
+        let middle = std::array::from_fn(|i| {
+            let bounds = bounds(scenario, i);
+            0.5 * (bounds[0] + bounds[1])
+        });
+        let frame = Frame {
+            scenario,
+            units,
+            middle,
+        };
+        let stretches = frame.stretches(&placed);
+        Ok(Self {
+            dimension: scenario.dimension,
+            units,
+            middle,
+            axes: frame.axes(),
+            particles: match &stretches {
+                Some(stretches) => frame.of_stretches(stretches),
+                None => placed.iter().map(|placed| frame.particle(placed)).collect(),
+            },
+            stretches,
+            materials: scenario
+                .materials
+                .iter()
+                .map(|material| frame.material(&material.law))
+                .collect(),
+            cut_off: named(scenario.cut_off.shape),
+            width: frame.width(),
+            viscosity: scenario.viscosity,
+            options: frame.options(),
+            end: scenario.time.end / units.time(),
+            courant: scenario.time.courant,
+        })
+    }
+}
+
+/// The bounds of the domain along one direction; 0 beyond the dimension.
+fn bounds(scenario: &Scenario, axis: usize) -> [f64; 2] {
+    let extent = &scenario.domain.extent;
+    let at = |corner: &[f64]| corner.get(axis).copied().unwrap_or(0.0);
+    [at(&extent.lower), at(&extent.upper)]
+}
+
+/// Spacing, mass and speed of which everything is counted: the mean spacing, the mean mass,
+/// and the largest speed of sound or gas at the start.
+fn units(scenario: &Scenario, placed: &[Placed]) -> SolverUnits {
+    let count = placed.len().max(1) as f64;
+    let volume: f64 = placed.iter().map(|p| p.mass / p.density).sum();
+    let spacing = match scenario.dimension {
+        1 => (bounds(scenario, 0)[1] - bounds(scenario, 0)[0]) / count,
+        2 => (volume / count).sqrt(),
+        _ => libm::cbrt(volume / count),
+    };
+    let speed = |p: &Placed| {
+        let law = &scenario.materials[usize::from(p.material)].law;
+        let squares = p.velocity.iter().map(|u| u * u).sum::<f64>();
+        squares.max(law.sound_speed_squared(p.density, p.energy))
+    };
+    SolverUnits {
+        length: spacing,
+        mass: placed.iter().map(|p| p.mass).sum::<f64>() / count,
+        velocity: placed.iter().map(speed).fold(0.0, f64::max).sqrt(),
+        dimension: scenario.dimension as i32,
+    }
+}
+
+/// A scenario seen in solver units.
+struct Frame<'a> {
+    scenario: &'a Scenario,
+    units: SolverUnits,
+    middle: [f64; 3],
+}
+
+impl Frame<'_> {
+    fn axes(&self) -> [Axis<f64>; 3] {
+        std::array::from_fn(|i| {
+            let bounds = bounds(self.scenario, i);
+            let half = 0.5 * (bounds[1] - bounds[0]) / self.units.length;
+            let sides = self.scenario.domain.sides.get(i);
+            Axis {
+                lower: -half,
+                upper: half,
+                sides: sides.map_or([Side::Free; 2], |sides| {
+                    sides.map(|side| match side {
+                        scenario::Side::Free => Side::Free,
+                        scenario::Side::Periodic => Side::Periodic,
+                        scenario::Side::Mirror => Side::Mirror,
+                    })
+                }),
+            }
+        })
+    }
+
+    fn width(&self) -> Width<f64> {
+        match self.scenario.cut_off.width {
+            scenario::Width::Adaptive { eta } => Width::Adaptive { eta },
+            scenario::Width::Constant { epsilon } => Width::Constant {
+                epsilon: epsilon / self.units.length,
+            },
+        }
+    }
+
+    fn options(&self) -> Options<f64, 3> {
+        let scenario = self.scenario;
+        let (viscosity, units) = (&scenario.viscosity, &self.units);
+        let diffusivity = units.length * units.velocity;
+        let acceleration = units.velocity / units.time();
+        Options {
+            weights: match scenario.weights {
+                scenario::Weights::Mass => Weights::Mass,
+                scenario::Weights::Number => Weights::Number,
+            },
+            energy: match scenario.time.energy {
+                EnergyRule::LeapFrog => EnergyForm::LeapFrog,
+                EnergyRule::Exact => EnergyForm::Exact,
+                EnergyRule::Total => EnergyForm::Total,
+            },
+            acceleration: std::array::from_fn(|i| {
+                let component = scenario.acceleration.get(i).copied();
+                component.unwrap_or(0.0) / acceleration
+            }),
+            limited: viscosity.kind == ViscosityKind::Limited,
+            switch: viscosity.switch.map(|switch| Switch {
+                // The core's factor multiplies alpha, the scenario's minimum is an alpha.
+                minimum: if viscosity.alpha > 0.0 {
+                    switch.minimum / viscosity.alpha
+                } else {
+                    0.0
+                },
+                decay: switch.decay,
+            }),
+            balsara: viscosity.balsara,
+            conduction: scenario.conduction,
+            diffusion: Diffusion {
+                viscosity: scenario.diffusion.viscosity / diffusivity,
+                heat: scenario.diffusion.heat / diffusivity,
+            },
+        }
+    }
+
+    fn material(&self, law: &EquationOfState) -> EquationOfState {
+        let pressure = self.units.density() * self.units.energy();
+        match *law {
+            EquationOfState::IdealGas { gamma } => EquationOfState::IdealGas { gamma },
+            EquationOfState::StiffenedGas {
+                gamma,
+                pressure_at_infinity,
+            } => EquationOfState::StiffenedGas {
+                gamma,
+                pressure_at_infinity: pressure_at_infinity / pressure,
+            },
+            EquationOfState::Isothermal { sound_speed } => EquationOfState::Isothermal {
+                sound_speed: sound_speed / self.units.velocity,
+            },
+            EquationOfState::Tait {
+                density,
+                sound_speed,
+                exponent,
+            } => EquationOfState::Tait {
+                density: density / self.units.density(),
+                sound_speed: sound_speed / self.units.velocity,
+                exponent,
+            },
+        }
+    }
+
+    fn particle(&self, placed: &Placed) -> Particle<f64, 3> {
+        let units = &self.units;
+        let volume = placed.mass / placed.density;
+        let spacing = match units.dimension {
+            1 => volume,
+            2 => volume.sqrt(),
+            _ => libm::cbrt(volume),
+        };
+        let eta = match self.scenario.cut_off.width {
+            scenario::Width::Adaptive { eta } => eta,
+            scenario::Width::Constant { .. } => 1.0,
+        };
+        Particle {
+            position: std::array::from_fn(|i| (placed.position[i] - self.middle[i]) / units.length),
+            velocity: placed.velocity.map(|component| component / units.velocity),
+            mass: placed.mass / units.mass,
+            energy: placed.energy / units.energy(),
+            epsilon: eta * (spacing / units.length),
+            material: placed.material,
+        }
+    }
+
+    /// The stretches that the particles fill, where regions in one dimension are filled evenly
+    /// with particles of equal mass: what a device can be given in a few numbers.
+    fn stretches(&self, placed: &[Placed]) -> Option<Vec<Stretch>> {
+        let scenario = self.scenario;
+        let resolution = &scenario.resolution;
+        let even = scenario.dimension == 1
+            && resolution.arrangement == Arrangement::EqualMass
+            && resolution.share == Share::Mass
+            && resolution.jitter == 0.0
+            && scenario.profile.is_none()
+            && scenario.deposits.is_empty()
+            && scenario.materials.len() == 1
+            && scenario.regions.iter().all(|region| region.ball.is_none());
+        if !even {
+            return None;
+        }
+        let units = &self.units;
+        let stretches = scenario.regions.iter().filter_map(|region| {
+            let (lower, upper) = (region.extent.lower[0], region.extent.upper[0]);
+            let inside = |p: &&Placed| (lower..upper).contains(&p.position[0]);
+            let count = placed.iter().filter(inside).count();
+            let first = placed.iter().find(inside)?;
+            let mass = region.density * (upper - lower) / count as f64;
+            Some(Stretch {
+                lower: (lower - self.middle[0]) / units.length,
+                upper: (upper - self.middle[0]) / units.length,
+                particles: count as u32,
+                mass: mass / units.mass,
+                velocity: region.velocity[0] / units.velocity,
+                energy: first.energy / units.energy(),
+            })
+        });
+        Some(stretches.collect())
+    }
+
+    /// The particles of stretches, as a device makes them.
+    fn of_stretches(&self, stretches: &[Stretch]) -> Vec<Particle<f64, 3>> {
+        let eta = match self.width() {
+            Width::Adaptive { eta } => eta,
+            Width::Constant { .. } => 1.0,
+        };
+        let particles = stretches.iter().flat_map(|stretch| stretch.particles(eta));
+        particles
+            .map(|particle| Particle {
+                position: [particle.position[0], 0.0, 0.0],
+                velocity: [particle.velocity[0], 0.0, 0.0],
+                mass: particle.mass,
+                energy: particle.energy,
+                epsilon: particle.epsilon,
+                material: particle.material,
+            })
+            .collect()
+    }
+}
+
+/// Reaches in spacings between which a density sum makes sense: one neighbour on either side
+/// with room to move, and no more than a solver wants to look at.
+const REACH: [f64; 2] = [1.5, 40.0];
+
+/// Refuses an η with which particles would see nobody, or everybody.
+fn check_reach(scenario: &Scenario) -> Result<(), PlanError> {
+    let scenario::Width::Adaptive { eta } = scenario.cut_off.width else {
+        return Ok(());
+    };
+    let cut_off = named(scenario.cut_off.shape);
+    let support = f64::from(cut_off.support());
+    let ([least, most], reach) = (REACH, eta * support);
+    if (least..=most).contains(&reach) {
+        return Ok(());
+    }
+    Err(PlanError::Reach {
+        eta,
+        cut_off: cut_off.name(),
+        support,
+        reach,
+        least,
+        most,
+    })
+}
+
+/// Refuses units that `f64` cannot hold with room around them.
+fn check_units(units: &SolverUnits) -> Result<(), PlanError> {
+    let sizes = [
+        ("length", units.length),
+        ("mass", units.mass),
+        ("velocity", units.velocity),
+        ("time", units.time()),
+        ("energy", units.energy()),
+    ];
+    match sizes
+        .into_iter()
+        .find(|(_, value)| !(1e-200..1e200).contains(value))
+    {
+        Some((unit, value)) => Err(PlanError::Extreme { unit, value }),
+        None => Ok(()),
+    }
+}
+
+/// The core's cut-off of that shape.
+fn named(shape: CutOffShape) -> Named {
+    match shape {
+        CutOffShape::CubicSpline => Named::CubicSpline,
+        CutOffShape::QuinticSpline => Named::QuinticSpline,
+        CutOffShape::WendlandC2 => Named::WendlandC2,
+        CutOffShape::WendlandC4 => Named::WendlandC4,
+        CutOffShape::WendlandC6 => Named::WendlandC6,
+        CutOffShape::RootFree => Named::RootFree,
+    }
+}

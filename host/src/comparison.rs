@@ -51,6 +51,8 @@ impl ExactSolution {
             right: state(1),
             left_gamma: gamma,
             right_gamma: gamma,
+            left_pressure_at_infinity: 0.0,
+            right_pressure_at_infinity: 0.0,
         };
         let interface = sides[1].extent.lower[0];
         Ok(Some(Self {

@@ -17,15 +17,19 @@ const CORE: [&str; 10] = [
 ];
 
 /// The layers of the host, lowest first.
-const HOST: [&str; 12] = [
+const HOST: [&str; 16] = [
     "units",
     "engine",
     "exact",
     "scenario",
+    "flows",
+    "setup",
     "simulation",
     "comparison",
+    "experiment",
     "export",
     "io",
+    "snapshots",
     "benchmark",
     "report",
     "cli",

@@ -6,7 +6,7 @@ use std::time::Instant;
 use motes_core::cutoff::CubicSpline;
 use motes_core::domain::{Axis, Domain};
 use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
-use motes_core::equation::gas::{GasDynamics, Options, Particle, Width};
+use motes_core::equation::gas::{GasDynamics, Options, Particle, Plain, Width};
 use motes_core::error::Error;
 use motes_core::material::IdealGas;
 
@@ -139,11 +139,11 @@ fn steps<S: HostScalar, const D: usize>(
             beta: S::from_f64(2.0),
         }),
         materials: &[IdealGas::new(1.4)],
-        options: Options::PLAIN,
+        physics: Plain::DEFAULT,
         courant: S::from_f64(0.3),
         smallest_omega: S::from_f64(1.0 / 32.0),
     };
-    let mut arrays = GasArrays::new(jittered::<S, D>(case), &Options::PLAIN);
+    let mut arrays = GasArrays::new(jittered::<S, D>(case), &Options::OFF);
     let (mut gas, mut work) = arrays.parts();
     solver.prepare(engine, &mut gas, &mut work)?;
     let mut seconds = Vec::new();

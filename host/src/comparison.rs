@@ -3,18 +3,10 @@
 use std::collections::BTreeMap;
 
 use crate::exact::flow::{Flow, FlowError, FlowState};
-use crate::exact::gresho::{Gresho, GreshoProblem};
-use crate::exact::moving_centre::MovingCentre;
-use crate::exact::noh::NohProblem;
-use crate::exact::riemann::{
-    GasState, RiemannError, RiemannFlow, RiemannProblem, RiemannSolution,
-};
+use crate::exact::riemann::{GasState, RiemannError, RiemannFlow, RiemannProblem, RiemannSolution};
 use crate::exact::sedov::SedovProblem;
-use crate::exact::sound_wave::SoundWaveProblem;
-use crate::exact::yee_vortex::YeeVortexProblem;
-use crate::scenario::{
-    EquationOfState, Exact, Extent, Norm, Profile, Region, Ring, Scenario, Side,
-};
+use crate::flows::profile_flow;
+use crate::scenario::{EquationOfState, Exact, Extent, Norm, Region, Ring, Scenario, Side};
 use crate::simulation::ParticleRow;
 
 /// Norms of the error of one field over a window.
@@ -64,77 +56,6 @@ pub enum ExactError {
     Flow(#[from] FlowError),
 }
 
-/// The flow that a profile begins, known at all times; `None` where only its beginning is.
-///
-/// # Errors
-/// Numbers for which the flow does not exist.
-pub fn profile_flow(scenario: &Scenario) -> Result<Option<Box<dyn Flow>>, FlowError> {
-    let (Some(profile), EquationOfState::IdealGas { gamma }) =
-        (&scenario.profile, scenario.materials[0].law)
-    else {
-        return Ok(None);
-    };
-    let extent = &scenario.domain.extent;
-    let length = |i: usize| extent.upper[i] - extent.lower[i];
-    let centre = |velocity: &[f64]| MovingCentre {
-        position: [0.0; 2],
-        velocity: [velocity[0], velocity[1]],
-        period: (scenario.domain.sides.iter())
-            .all(|sides| *sides == [Side::Periodic; 2])
-            .then(|| [length(0), length(1)]),
-    };
-    Ok(match profile {
-        &Profile::Noh {
-            density,
-            speed,
-            pressure,
-        } => Some(Box::new(
-            NohProblem {
-                dimension: scenario.dimension,
-                gamma,
-                density,
-                speed,
-                pressure,
-            }
-            .solve()?,
-        )),
-        &Profile::SoundWave {
-            amplitude,
-            density,
-            pressure,
-        } => Some(Box::new(
-            SoundWaveProblem {
-                gamma,
-                density,
-                pressure,
-                amplitude,
-                wavelength: length(0),
-            }
-            .solve()?,
-        )),
-        Profile::YeeVortex { strength, velocity } => Some(Box::new(
-            YeeVortexProblem {
-                gamma,
-                strength: *strength,
-                centre: centre(velocity),
-            }
-            .solve()?,
-        )),
-        Profile::Gresho { velocity, mach } => Some(Box::new(
-            GreshoProblem {
-                gamma,
-                central_pressure: match *mach {
-                    Some(mach) => Gresho::central_pressure_of_mach(mach, gamma),
-                    None => 5.0,
-                },
-                centre: centre(velocity),
-            }
-            .solve()?,
-        )),
-        Profile::KelvinHelmholtz => None,
-    })
-}
-
 impl ExactSolution {
     /// The one that the scenario names, if it names one.
     ///
@@ -154,11 +75,7 @@ impl ExactSolution {
             Some(Exact::Profile) => profile_flow(scenario)?.and_then(|flow| of(flow, None)),
             Some(Exact::Riemann) => {
                 let (solution, interface, normal) = riemann(scenario)?;
-                let flow = RiemannFlow {
-                    solution,
-                    interface,
-                    normal,
-                };
+                let flow = RiemannFlow::new(solution, interface, normal)?;
                 of(Box::new(flow), Some((solution, interface)))
             }
             Some(Exact::Sedov) => of(Box::new(sedov(scenario)?), None),
@@ -197,7 +114,11 @@ impl ExactSolution {
         for (end, side) in scenario.domain.sides[direction].iter().enumerate() {
             let place = [extent.lower[direction], extent.upper[direction]][end];
             let touches = |region: &&Region| {
-                [region.extent.lower[direction], region.extent.upper[direction]][end] == place
+                [
+                    region.extent.lower[direction],
+                    region.extent.upper[direction],
+                ][end]
+                    == place
             };
             let region = scenario.regions.iter().find(touches);
             let still = region.is_some_and(|region| region.velocity[direction] == 0.0);

@@ -9,6 +9,18 @@ use crate::comparison::ExactSolution;
 use crate::scenario::{Extent, Scenario, Viscosity, ViscosityKind};
 use crate::simulation::Plan;
 
+/// A scenario that a device cannot be given as a tube.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+#[error("`{name}` is no tube of one ideal gas that `motes export` could write")]
+#[diagnostic(help(
+    "it needs dimension = 1, one ideal-gas, boxes filled with equal masses, and none of \
+     viscosity.switch, viscosity.balsara, kind = \"limited\", [conduction], [diffusion], [force], \
+     [weights] and time.energy"
+))]
+pub struct NoTube {
+    name: String,
+}
+
 /// Points of the exact profile between two of its jumps.
 const POINTS: u32 = 60;
 
@@ -17,13 +29,19 @@ const POINTS: u32 = 60;
 /// Numbers are written with the digits that read back to the same bits.
 ///
 /// `command`: what made it, for its first line.
+///
+/// # Errors
+/// A scenario that is no tube: see [`Plan::tube`].
 pub fn tube(
     scenario: &Scenario,
     plan: &Plan,
     exact: Option<&ExactSolution>,
     command: &str,
-) -> String {
-    let particles = plan.particles();
+) -> Result<String, NoTube> {
+    let tube = plan.tube().ok_or_else(|| NoTube {
+        name: scenario.name.clone(),
+    })?;
+    let particles = plan.particles.len();
     let (width, value) = match plan.width {
         Width::Adaptive { eta } => ("Adaptive { eta", eta),
         Width::Constant { epsilon } => ("Constant { epsilon", epsilon),
@@ -66,11 +84,11 @@ pub const TUBE: Tube<'static> = Tube {{
         cells = motes_core::neighbours::cell_bound(particles as u32) + 1,
         cut_off = plan.cut_off,
         command = command.split_whitespace().collect::<Vec<_>>().join(" "),
-        half = plan.half_length,
-        low = plan.sides[0],
-        high = plan.sides[1],
+        half = tube.half_length,
+        low = tube.sides[0],
+        high = tube.sides[1],
     );
-    for s in &plan.stretches {
+    for s in tube.stretches {
         let _ = write!(
             text,
             "        Stretch {{
@@ -92,10 +110,10 @@ pub const TUBE: Tube<'static> = Tube {{
     courant: {:?},
     end: {:?},
 }};",
-        plan.gamma, plan.courant, plan.end
+        tube.gamma, tube.courant, tube.end
     );
     profile(&mut text, scenario, plan, exact);
-    text
+    Ok(text)
 }
 
 /// The constructor of the viscosity, and the types that it needs.
@@ -129,7 +147,7 @@ fn viscosity(viscosity: &Viscosity) -> (String, &'static str) {
 fn profile(text: &mut String, scenario: &Scenario, plan: &Plan, exact: Option<&ExactSolution>) {
     let window = &scenario.output.window;
     let time = scenario.time.end;
-    let solver = |x: f64| (x - plan.middle) / plan.units.length;
+    let solver = |x: f64| (x - plan.middle[0]) / plan.units.length;
     let mut points = Vec::new();
     for edge in smooth_parts(window, time, exact).windows(2) {
         let length = edge[1] - edge[0];
@@ -137,7 +155,7 @@ fn profile(text: &mut String, scenario: &Scenario, plan: &Plan, exact: Option<&E
             // Just inside the edges: on them the solution may have either of its values.
             let part = (f64::from(i) / f64::from(POINTS)).clamp(1e-9, 1.0 - 1e-9);
             let x = edge[0] + length * part;
-            let density = exact.map_or(0.0, |exact| exact.at(x, time)[0]);
+            let density = exact.map_or(0.0, |exact| exact.at([x, 0.0, 0.0], time).density);
             points.push((solver(x), density / plan.units.density()));
         }
     }

@@ -5,18 +5,19 @@
 //! `u^(n+1) = u^(n+1/2) + dt/2 a^(n+1)`, and `e` likewise. Second order in `dt`.
 
 use crate::cutoff::CutOff;
-use crate::equation::gas::{Gas, GasDynamics, Viscosity, Workspace};
+use crate::equation::gas::{Gas, GasDynamics, Physics, Viscosity, Workspace};
 use crate::error::Error;
 use crate::material::EquationOfState;
 use crate::pairs::Engine;
 use crate::scalar::Scalar;
 
-impl<S, C, V, E, const D: usize> GasDynamics<'_, S, C, V, E, D>
+impl<S, C, V, E, P, const D: usize> GasDynamics<'_, S, C, V, E, P, D>
 where
     S: Scalar,
     C: CutOff,
     V: Viscosity<S>,
     E: EquationOfState<S>,
+    P: Physics<S, D>,
 {
     /// Advances a prepared state by `dt`. On an error the state is between two steps and
     /// must not be used further.

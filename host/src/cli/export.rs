@@ -1,7 +1,5 @@
 //! `motes export`.
 
-use miette::IntoDiagnostic;
-
 use super::Failure;
 use super::arguments::{ExportArguments, scenario};
 use crate::comparison::ExactSolution;
@@ -15,9 +13,7 @@ pub(super) fn export(arguments: &ExportArguments) -> Result<(), Failure> {
         &arguments.overrides,
     )?;
     let plan = Plan::new(&scenario).map_err(|error| Failure::Input(error.into()))?;
-    let exact = ExactSolution::of(&scenario)
-        .into_diagnostic()
-        .map_err(Failure::Input)?;
+    let exact = ExactSolution::of(&scenario).map_err(|error| Failure::Input(error.into()))?;
     let mut command = format!("motes export {}", arguments.scenario);
     if let Some(particles) = &arguments.particles {
         command += &format!(" -n {particles}");
@@ -25,10 +21,6 @@ pub(super) fn export(arguments: &ExportArguments) -> Result<(), Failure> {
     for change in &arguments.overrides {
         command += &format!(" --set '{change}'");
     }
-    super::print(&crate::export::tube(
-        &scenario,
-        &plan,
-        exact.as_ref(),
-        &command,
-    ))
+    let tube = crate::export::tube(&scenario, &plan, exact.as_ref(), &command);
+    super::print(&tube.map_err(|error| Failure::Input(error.into()))?)
 }

@@ -1,7 +1,7 @@
 //! `motes run`.
 
 use std::io::IsTerminal;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -10,13 +10,14 @@ use miette::{IntoDiagnostic, Report, WrapErr};
 
 use super::Failure;
 use super::arguments::{RunArguments, scalar, scenario};
-use crate::comparison::{ExactSolution, FIELDS, fields, norms};
+use crate::comparison::ExactSolution;
 use crate::engine::Threads;
+use crate::experiment::Experiment;
 use crate::io;
-use crate::report::figure::{self, Panel};
+use crate::report::results;
 use crate::report::summary::Summary;
-use crate::scenario::Scenario;
-use crate::simulation::{self, Control, Outcome, Plan, RunError};
+use crate::simulation::{Control, Plan, RunError};
+use crate::snapshots::SnapshotWriter;
 
 fn input(error: impl Into<Report>) -> Failure {
     Failure::Input(error.into())
@@ -31,7 +32,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         &arguments.overrides,
     )?;
     let exact = ExactSolution::of(&scenario)
-        .into_diagnostic()
+        .map_err(Report::new)
         .wrap_err("this scenario has no exact solution: remove output.exact")
         .map_err(Failure::Input)?;
     let plan = Plan::new(&scenario).map_err(input)?;
@@ -48,55 +49,39 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     // Without the handler Ctrl-C still ends the program, only less politely.
     let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
     let bar = progress_bar(arguments.quiet || arguments.json, &scenario.name);
+    let mut snapshots = SnapshotWriter::new(&scenario, &out).map_err(input)?;
     let mut control = Control {
         samples: scenario.output.samples,
         progress: &mut |done| {
             bar.set_position((1000.0 * done) as u64);
             !interrupted.load(Ordering::Relaxed)
         },
+        look: &mut |look| snapshots.look(look),
     };
-    let checked = arguments.check_overflow;
-    let outcome = simulation::run(&plan, scalar, checked, &mut engine, &mut control);
+    let how = (scalar, arguments.check_overflow);
+    let experiment = Experiment::run(scenario, &plan, exact, how, &mut engine, &mut control);
     bar.finish_and_clear();
-    let outcome = outcome.map_err(|error| match error {
-        RunError::Interrupted { .. } => Failure::Interrupted(error.into()),
-        RunError::Format { .. } | RunError::Memory { .. } => Failure::Input(error.into()),
-        RunError::Solver { .. } => Failure::Run(error.into()),
-    })?;
-
-    let errors = exact.as_ref().and_then(|exact| {
-        norms(
-            exact,
-            &outcome.particles,
-            outcome.time,
-            &scenario.output.window,
-        )
-    });
-    let mut doubts: Vec<String> = exact
-        .iter()
-        .filter_map(|exact| exact.doubt(&scenario))
-        .map(|why| format!("{why}: the exact solution may not hold there"))
-        .collect();
-    if exact.is_some() && errors.is_none() {
-        doubts.push("no particle is in output.window: there are no errors to tell".to_owned());
-    }
-    write(&out, &scenario, &outcome, exact.as_ref()).map_err(Failure::Run)?;
-    let called = (scenario.name.as_str(), scalar.name(), engine.threads());
-    let summary = Summary::new(called, &outcome, errors, doubts);
+    let experiment = experiment.map_err(failure)?;
+    results::write(&out, &experiment).map_err(Failure::Run)?;
+    let summary = Summary::new(&experiment, scalar.name(), engine.threads());
     if arguments.json {
         let json = serde_json::to_string(&summary)
             .into_diagnostic()
             .map_err(Failure::Run)?;
         super::print(&format!("{json}\n"))?;
     } else if !arguments.quiet {
-        super::print(&format!(
-            "{summary}
-results    {}
-",
-            out.display()
-        ))?;
+        super::print(&format!("{summary}\nresults    {}\n", out.display()))?;
     }
     Ok(())
+}
+
+/// Which exit code a run that stopped has.
+pub(super) fn failure(error: RunError) -> Failure {
+    match error {
+        RunError::Interrupted { .. } => Failure::Interrupted(error.into()),
+        RunError::Format { .. } | RunError::Memory { .. } => Failure::Input(error.into()),
+        RunError::Solver { .. } | RunError::Look { .. } => Failure::Run(error.into()),
+    }
 }
 
 fn progress_bar(hidden: bool, name: &str) -> ProgressBar {
@@ -106,52 +91,4 @@ fn progress_bar(hidden: bool, name: &str) -> ProgressBar {
     let style = ProgressStyle::with_template("{msg} {wide_bar} {percent}% {eta} left");
     let bar = ProgressBar::new(1000).with_message(name.to_owned());
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
-}
-
-/// Writes all result files.
-fn write(
-    out: &Path,
-    scenario: &Scenario,
-    outcome: &Outcome,
-    exact: Option<&ExactSolution>,
-) -> Result<(), Report> {
-    let file = |name: &str| -> PathBuf { out.join(name) };
-    io::write_text(&file("scenario.toml"), &scenario.text)?;
-    io::write_particles(&file("particles.csv"), outcome, exact)?;
-    io::write_series(&file("series.csv"), &outcome.series)?;
-    let title = format!(
-        "{}, {} particles, t = {}",
-        scenario.name,
-        outcome.particles.len(),
-        outcome.time
-    );
-    let picture = figure::panels(&title, "position", &panels(scenario, outcome, exact))?;
-    io::write_text(&file("figure.svg"), &picture)?;
-    Ok(())
-}
-
-/// A panel for each field over the window: particles as points, the exact solution as a curve.
-fn panels(scenario: &Scenario, outcome: &Outcome, exact: Option<&ExactSolution>) -> Vec<Panel> {
-    let window = &scenario.output.window;
-    let (lower, upper) = (window.lower[0], window.upper[0]);
-    let inside: Vec<_> = outcome
-        .particles
-        .iter()
-        .filter(|particle| (lower..=upper).contains(&particle.position))
-        .collect();
-    let points = 1000;
-    let at = |i: i32| lower + (upper - lower) * f64::from(i) / f64::from(points);
-    let panel = |(i, field): (usize, &str)| Panel {
-        heading: field.to_owned(),
-        points: inside
-            .iter()
-            .map(|particle| (particle.position, fields(particle)[i]))
-            .collect(),
-        curve: exact.map_or_else(Vec::new, |exact| {
-            (0..=points)
-                .map(|p| (at(p), exact.at(at(p), outcome.time)[i]))
-                .collect()
-        }),
-    };
-    FIELDS.into_iter().enumerate().map(panel).collect()
 }

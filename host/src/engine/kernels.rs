@@ -8,7 +8,9 @@
 #![allow(unsafe_code)]
 
 use motes_core::neighbours::{Cells, Runs};
-use motes_core::pairs::{Fields, Kernel, Law, Operands, Portable, Receivers, Settled, lanes};
+#[cfg(not(target_arch = "x86_64"))]
+use motes_core::pairs::Portable;
+use motes_core::pairs::{Fields, Kernel, Law, Operands, Receivers, Settled, lanes};
 use motes_core::pairs::{find, sum};
 use motes_core::scalar::{Checked, Lanes, Micro, Q32, Q64, Scalar};
 
@@ -111,6 +113,11 @@ macro_rules! with_lanes {
                     InstructionSet::Avx2 => lanes::<Avx2, Self, D, $avx2, W>(
                         law, cells, nodes, first, settled, list, fresh,
                     ),
+                    // Vectors of 128 bits gain little over the plain loop, and every kernel
+                    // costs a third of the time to build.
+                    #[cfg(target_arch = "x86_64")]
+                    _ => plain_range(law, cells, nodes, first, settled),
+                    #[cfg(not(target_arch = "x86_64"))]
                     _ => lanes::<Portable, Self, D, $portable, W>(
                         law, cells, nodes, first, settled, list, fresh,
                     ),

@@ -1,20 +1,28 @@
-//! The Riemann problem of gas dynamics in one dimension: two uniform ideal
-//! gases meet at x = 0 when t = 0. The solution depends on `xi = x/t` alone: a
-//! shock or a fan to the left, a contact, a shock or a fan to the right, or two
-//! fans with a vacuum between them.
+//! The Riemann problem of gas dynamics in one dimension: two uniform gases meet at x = 0
+//! when t = 0. The solution depends on `xi = x/t` alone: a shock or a fan to the left, a
+//! contact, a shock or a fan to the right, or two fans with a vacuum between them.
+//!
+//! The gases are ideal or stiffened, `p = (gamma - 1) rho e - gamma p_inf`: a liquid, of
+//! sound speed `(gamma (p + p_inf)/rho)^(1/2)`. With `p + p_inf` for p the relations of
+//! shocks and fans are those of the ideal gas: R. Menikoff and B. J. Plohr, Reviews of Modern
+//! Physics 61 (1989), section IV; B. J. Plohr, AIAA Journal 26 (1988).
 //!
 //! E. F. Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics, 3rd
 //! edition 2009, chapter 4; equation numbers are his.
 //! Differs from the book: each side has its own gamma (two gases that meet at
 //! the contact); the right wave is the mirror image of a left one; Newton's
-//! method works on ln p, which keeps p positive.
+//! method works on ln(p + lower p_inf), which keeps that positive.
 
+mod flow;
 #[cfg(test)]
 mod tests;
 mod wave;
 
+pub use flow::RiemannFlow;
+
 use thiserror::Error;
 
+use super::flow::Number;
 use wave::{Gas, Wave};
 
 /// Density, velocity and pressure at a point.
@@ -24,11 +32,11 @@ pub struct GasState {
     pub density: f64,
     /// Length / time.
     pub velocity: f64,
-    /// Density * velocity^2; 0 in a vacuum.
+    /// Density * velocity^2; in a vacuum 0, or minus the lower pressure at infinity.
     pub pressure: f64,
 }
 
-/// Two ideal gases, `p = (gamma - 1) rho e`, that meet at x = 0 when t = 0.
+/// Two gases, `p = (gamma - 1) rho e - gamma p_inf`, that meet at x = 0 when t = 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RiemannProblem {
     /// The gas in x < 0.
@@ -39,6 +47,10 @@ pub struct RiemannProblem {
     pub left_gamma: f64,
     /// Ratio of the specific heats of the right gas, > 1.
     pub right_gamma: f64,
+    /// `p_inf` of the left gas, >= 0; 0 for an ideal gas.
+    pub left_pressure_at_infinity: f64,
+    /// `p_inf` of the right gas, >= 0; 0 for an ideal gas.
+    pub right_pressure_at_infinity: f64,
 }
 
 /// The state on both sides of the contact.
@@ -60,6 +72,8 @@ pub struct RiemannSolution {
     left: Wave,
     /// Mirrored, as if it ran to the left.
     right: Wave,
+    /// Whether there is a vacuum between the waves.
+    vacuum: bool,
 }
 
 /// Why a Riemann problem has no solution here.
@@ -98,44 +112,58 @@ impl RiemannProblem {
     ///
     /// # Errors
     /// [`RiemannError::OutOfRange`] unless all numbers are finite, densities and
-    /// pressures > 0 and gammas > 1; the others only near the limits of `f64`.
+    /// `p + p_inf` > 0, `p_inf` >= 0 and gammas > 1; the others only near the limits of `f64`.
     pub fn solve(&self) -> Result<RiemannSolution, RiemannError> {
         self.check()?;
-        let left = Gas::new(self.left, self.left_gamma);
-        let right = Gas::new(mirrored(self.right), self.right_gamma);
-        let Some(pressure) = star_pressure(&left, &right)? else {
+        let (left_p_inf, right_p_inf) = (
+            self.left_pressure_at_infinity,
+            self.right_pressure_at_infinity,
+        );
+        // Only p + p_inf counts, and no gas bears a pressure below -p_inf.
+        let floor = -left_p_inf.min(right_p_inf);
+        let left = Gas::new(self.left, self.left_gamma, left_p_inf, floor);
+        let right = Gas::new(mirrored(self.right), self.right_gamma, right_p_inf, floor);
+        let Some(level) = star_level(&left, &right)? else {
             return Ok(RiemannSolution {
                 left: left.wave(0.0, left.vacuum_edge()),
                 right: right.wave(0.0, right.vacuum_edge()),
+                vacuum: true,
             });
         };
-        let ((f_left, _), (f_right, _)) = (left.f(pressure), right.f(pressure));
+        let ((f_left, _), (f_right, _)) = (left.f(level), right.f(level));
         // (4.9)
         let velocity = 0.5 * (self.left.velocity + self.right.velocity) + 0.5 * (f_right - f_left);
         Ok(RiemannSolution {
-            left: left.wave(pressure, velocity),
-            right: right.wave(pressure, -velocity),
+            left: left.wave(level, velocity),
+            right: right.wave(level, -velocity),
+            vacuum: false,
         })
     }
 
     fn check(&self) -> Result<(), RiemannError> {
-        let positive = |value: f64| value > 0.0;
-        let any = |_: f64| true;
-        let above_1 = |value: f64| value > 1.0;
         let (left, right) = (&self.left, &self.right);
-        type Number = (&'static str, f64, &'static str, fn(f64) -> bool);
-        let numbers: [Number; 8] = [
-            ("left density", left.density, "> 0", positive),
-            ("left velocity", left.velocity, "a finite number", any),
-            ("left pressure", left.pressure, "> 0", positive),
-            ("left gamma", self.left_gamma, "> 1", above_1),
-            ("right density", right.density, "> 0", positive),
-            ("right velocity", right.velocity, "a finite number", any),
-            ("right pressure", right.pressure, "> 0", positive),
-            ("right gamma", self.right_gamma, "> 1", above_1),
+        let gammas = (self.left_gamma, self.right_gamma);
+        let (left_p_inf, right_p_inf) = (
+            self.left_pressure_at_infinity,
+            self.right_pressure_at_infinity,
+        );
+        let finite = "a finite number";
+        let above = "> 0, or > -p_inf in a stiffened gas";
+        let (left_total, right_total) = (left.pressure + left_p_inf, right.pressure + right_p_inf);
+        let numbers: [Number; 10] = [
+            ("left density", left.density, "> 0", left.density > 0.0),
+            ("left velocity", left.velocity, finite, true),
+            ("left pressure", left.pressure, above, left_total > 0.0),
+            ("left gamma", gammas.0, "> 1", gammas.0 > 1.0),
+            ("left p_inf", left_p_inf, ">= 0", left_p_inf >= 0.0),
+            ("right density", right.density, "> 0", right.density > 0.0),
+            ("right velocity", right.velocity, finite, true),
+            ("right pressure", right.pressure, above, right_total > 0.0),
+            ("right gamma", gammas.1, "> 1", gammas.1 > 1.0),
+            ("right p_inf", right_p_inf, ">= 0", right_p_inf >= 0.0),
         ];
         for (quantity, value, need, holds) in numbers {
-            if !value.is_finite() || !holds(value) {
+            if !value.is_finite() || !holds {
                 return Err(RiemannError::OutOfRange {
                     quantity,
                     value,
@@ -148,18 +176,20 @@ impl RiemannProblem {
 }
 
 impl RiemannSolution {
-    /// The state at `xi = x/t`. In a vacuum density and pressure are 0 and the
-    /// velocity is `xi`, which joins those of its edges. On the contact: the left gas.
+    /// The state at `xi = x/t`. In a vacuum the density is 0, the pressure the least that
+    /// both gases bear (0 unless both are stiffened), and the velocity is `xi`, which joins
+    /// those of its edges. On the contact: the left gas.
     pub fn sample(&self, xi: f64) -> GasState {
-        self.state_and_gamma(xi).0
+        self.state_and_gas(xi).0
     }
 
-    /// The internal energy per mass at `xi = x/t`: `p / ((gamma - 1) rho)`, with the
-    /// gamma of the gas that is there; 0 in a vacuum.
+    /// The internal energy per mass at `xi = x/t`: `(p + gamma p_inf) / ((gamma - 1) rho)`,
+    /// with the gamma and `p_inf` of the gas that is there; 0 in a vacuum.
     pub fn internal_energy(&self, xi: f64) -> f64 {
-        match self.state_and_gamma(xi) {
-            (state, Some(gamma)) if state.density > 0.0 => {
-                state.pressure / ((gamma - 1.0) * state.density)
+        match self.state_and_gas(xi) {
+            (state, Some(gas)) if state.density > 0.0 => {
+                let p = state.pressure + gas.gamma * gas.pressure_at_infinity;
+                p / ((gas.gamma - 1.0) * state.density)
             }
             _ => 0.0,
         }
@@ -168,7 +198,7 @@ impl RiemannSolution {
     /// The state beside the contact; none if there is a vacuum between the waves.
     pub fn star(&self) -> Option<Star> {
         let (left, right) = (self.left.inside, self.right.inside);
-        (left.pressure > 0.0).then_some(Star {
+        (!self.vacuum).then_some(Star {
             pressure: left.pressure,
             velocity: left.velocity,
             left_density: left.density,
@@ -186,17 +216,17 @@ impl RiemannSolution {
         [-self.right.tail, -self.right.head]
     }
 
-    fn state_and_gamma(&self, xi: f64) -> (GasState, Option<f64>) {
+    fn state_and_gas(&self, xi: f64) -> (GasState, Option<&Gas>) {
         if xi <= self.left.inside.velocity {
-            (self.left.sample(xi), Some(self.left.gas.gamma))
+            (self.left.sample(xi), Some(&self.left.gas))
         } else if xi >= -self.right.inside.velocity {
             let state = mirrored(self.right.sample(-xi));
-            (state, Some(self.right.gas.gamma))
+            (state, Some(&self.right.gas))
         } else {
             let vacuum = GasState {
                 density: 0.0,
                 velocity: xi,
-                pressure: 0.0,
+                pressure: self.left.inside.pressure,
             };
             (vacuum, None)
         }
@@ -209,18 +239,21 @@ fn mirrored(state: GasState) -> GasState {
     GasState { velocity, ..state }
 }
 
-/// The root p of (4.5), both gases given as if their waves ran to the left; none
-/// if the gases part so fast that a vacuum opens between them: (4.40).
+/// The root of (4.5), as the level of p above the least that both gases bear, both gases
+/// given as if their waves ran to the left; none if they part so fast that a vacuum opens
+/// between them: (4.40).
 ///
-/// Newton's method on ln p between two bounds that close in; a step out of them
+/// Newton's method on the logarithm between two bounds that close in; a step out of them
 /// is replaced by their geometric mean, so the iteration always ends.
-fn star_pressure(left: &Gas, right: &Gas) -> Result<Option<f64>, RiemannError> {
+fn star_level(left: &Gas, right: &Gas) -> Result<Option<f64>, RiemannError> {
     let f = |p: f64| {
         let ((f_left, slope_left), (f_right, slope_right)) = (left.f(p), right.f(p));
         let parting = -right.state.velocity - left.state.velocity;
         (f_left + f_right + parting, slope_left + slope_right)
     };
-    let mut lower = left.state.pressure.min(right.state.pressure);
+    let (least, greatest) = (left.level.min(right.level), left.level.max(right.level));
+    // A stiffened gas beside an ideal one may be below 0; the other never is.
+    let mut lower = if least > 0.0 { least } else { greatest };
     while f(lower).0 > 0.0 {
         lower *= 1e-4;
         // What is below the smallest pressure of full precision counts as vacuum.
@@ -228,7 +261,7 @@ fn star_pressure(left: &Gas, right: &Gas) -> Result<Option<f64>, RiemannError> {
             return Ok(None);
         }
     }
-    let mut upper = left.state.pressure.max(right.state.pressure);
+    let mut upper = greatest;
     while f(upper).0 < 0.0 {
         upper *= 10.0;
     }

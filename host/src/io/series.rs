@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use super::table::{WriteError, csv, whole, writable, write_text};
+use super::table::{WriteError, components, csv, whole, writable, write_text};
 use super::vtu::{Cloud, escaped, write_vtu};
 
 /// How snapshots are written.
@@ -135,12 +135,11 @@ fn write_cloud(path: &Path, cloud: &Cloud<'_>) -> Result<(), WriteError> {
     cloud
         .check()
         .map_err(|error| WriteError::new(path, error))?;
-    let components = |name: &str| ["x", "y", "z"].map(|axis| format!("{name}_{axis}"));
-    let mut heading: Vec<String> = components("position").into();
+    let components = |name: &str| components(name, 3);
+    let mut heading = components("position");
     heading.extend(cloud.scalars.iter().map(|(name, _)| (*name).to_owned()));
     heading.extend(cloud.vectors.iter().flat_map(|(name, _)| components(name)));
     heading.extend(cloud.integers.iter().map(|(name, _)| (*name).to_owned()));
-    let heading: Vec<&str> = heading.iter().map(String::as_str).collect();
     let rows = cloud.positions.iter().enumerate().map(|(k, position)| {
         let mut row = position.to_vec();
         row.extend(cloud.scalars.iter().map(|(_, values)| values[k]));

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
-use crate::comparison::{ExactSolution, FIELDS};
+use crate::comparison::ExactSolution;
 use crate::simulation::{Outcome, Sample, Spread};
 
 /// A file that could not be written.
@@ -39,43 +39,65 @@ pub fn write_text(path: &Path, text: &str) -> Result<(), WriteError> {
     whole(path, |file| file.write_all(text.as_bytes()))
 }
 
+/// The name of each component of a vector: `name` itself in one dimension.
+pub fn components(name: &str, dimension: usize) -> Vec<String> {
+    match dimension {
+        1 => vec![name.to_owned()],
+        _ => ["x", "y", "z"][..dimension]
+            .iter()
+            .map(|axis| format!("{name}_{axis}"))
+            .collect(),
+    }
+}
+
 /// The particles at the end, in id order, with the exact solution beside them.
 pub fn write_particles(
     path: &Path,
+    dimension: usize,
     outcome: &Outcome,
     exact: Option<&ExactSolution>,
 ) -> Result<(), WriteError> {
-    let mut heading = vec![
-        "id",
-        "position",
-        "velocity",
+    let mut heading = vec!["id".to_owned()];
+    heading.extend(components("position", dimension));
+    heading.extend(components("velocity", dimension));
+    let scalars = [
         "mass",
         "density",
         "pressure",
         "energy",
         "epsilon",
         "neighbours",
+        "sound_speed",
+        "divergence",
+        "viscosity_factor",
+        "material",
     ];
-    let exact_heading = FIELDS.map(|field| format!("exact_{field}"));
+    heading.extend(scalars.map(String::from));
     if exact.is_some() {
-        heading.extend(exact_heading.iter().map(String::as_str));
+        heading.push("exact_density".to_owned());
+        heading.extend(components("exact_velocity", dimension));
+        heading.extend(["exact_pressure", "exact_energy"].map(String::from));
     }
     let rows = outcome.particles.iter().enumerate().map(|(id, p)| {
-        let mut row = vec![
-            id as f64,
-            p.position,
-            p.velocity,
+        let mut row = vec![id as f64];
+        row.extend(&p.position[..dimension]);
+        row.extend(&p.velocity[..dimension]);
+        row.extend([
             p.mass,
             p.density,
             p.pressure,
             p.energy,
             p.epsilon,
             p.neighbours,
-        ];
+            p.sound_speed,
+            p.divergence,
+            p.viscosity_factor,
+            f64::from(p.material),
+        ]);
         row.extend(
             exact
                 .into_iter()
-                .flat_map(|exact| exact.at(p.position, outcome.time)),
+                .flat_map(|exact| exact.row(p.position, outcome.time)),
         );
         row
     });
@@ -83,26 +105,36 @@ pub fn write_particles(
 }
 
 /// The time series of the diagnostics.
-pub fn write_series(path: &Path, series: &[Sample]) -> Result<(), WriteError> {
-    let mut heading: Vec<String> = ["time", "steps", "time_step", "mass", "momentum", "energy"]
+pub fn write_series(path: &Path, dimension: usize, series: &[Sample]) -> Result<(), WriteError> {
+    let mut heading = ["time", "steps", "time_step", "mass"]
         .map(String::from)
-        .into();
+        .to_vec();
+    heading.extend(components("momentum", dimension));
+    heading.push("energy".to_owned());
     for quantity in ["density", "velocity", "pressure", "neighbours"] {
         heading.extend(["min", "mean", "max"].map(|part| format!("{quantity}_{part}")));
     }
-    let heading: Vec<&str> = heading.iter().map(String::as_str).collect();
+    heading.push("kinetic_energy".to_owned());
+    let turns: &[usize] = match dimension {
+        1 => &[],
+        2 => &[2],
+        _ => &[0, 1, 2],
+    };
+    let axes = ["x", "y", "z"];
+    heading.extend(
+        turns
+            .iter()
+            .map(|&i| format!("angular_momentum_{}", axes[i])),
+    );
     let rows = series.iter().map(|s| {
-        let mut row = vec![
-            s.time,
-            s.steps as f64,
-            s.time_step,
-            s.mass,
-            s.momentum,
-            s.energy,
-        ];
+        let mut row = vec![s.time, s.steps as f64, s.time_step, s.mass];
+        row.extend(&s.momentum[..dimension]);
+        row.push(s.energy);
         for Spread { min, mean, max } in [s.density, s.velocity, s.pressure, s.neighbours] {
             row.extend([min, mean, max]);
         }
+        row.push(s.kinetic_energy);
+        row.extend(turns.iter().map(|&i| s.angular_momentum[i]));
         row
     });
     csv(path, &heading, rows)
@@ -111,7 +143,7 @@ pub fn write_series(path: &Path, series: &[Sample]) -> Result<(), WriteError> {
 /// A table of numbers: the shortest digits that read back to the same bits.
 pub(super) fn csv(
     path: &Path,
-    heading: &[&str],
+    heading: &[String],
     rows: impl Iterator<Item = Vec<f64>>,
 ) -> Result<(), WriteError> {
     whole(path, |file| {

@@ -3,5 +3,6 @@
 pub mod figure;
 pub mod map;
 mod raster;
+pub mod results;
 pub mod suite;
 pub mod summary;

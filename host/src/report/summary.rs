@@ -6,6 +6,7 @@ use std::fmt;
 use serde::Serialize;
 
 use crate::comparison::{FIELDS, Norms};
+use crate::experiment::Experiment;
 use crate::simulation::{Outcome, Spread};
 
 /// What a run came to. Serialised, it is the object that `--json` prints.
@@ -25,6 +26,8 @@ pub struct Summary {
     pub steps: u64,
     /// Time reached.
     pub time: f64,
+    /// The smallest and the largest time step.
+    pub time_step: [f64; 2],
     /// Wall-clock seconds of the stepping.
     pub seconds: f64,
     /// Errors against the exact solution; `null` without one.
@@ -44,8 +47,10 @@ pub struct Summary {
 pub struct DriftJson {
     /// Relative.
     pub mass: f64,
-    /// Over total mass times the reference sound speed.
+    /// Over total mass times the reference speed.
     pub momentum: f64,
+    /// Over total mass times the reference speed times the size of the domain.
+    pub angular_momentum: f64,
     /// Relative.
     pub energy: f64,
 }
@@ -62,13 +67,9 @@ pub struct SpreadJson {
 }
 
 impl Summary {
-    /// Of an outcome, to which the caller adds what it was asked for.
-    pub fn new(
-        (scenario, scalar, threads): (&str, &str, usize),
-        outcome: &Outcome,
-        errors: Option<BTreeMap<&'static str, Norms>>,
-        doubts: Vec<String>,
-    ) -> Self {
+    /// Of an experiment made with that scalar on so many threads.
+    pub fn new(experiment: &Experiment, scalar: &str, threads: usize) -> Self {
+        let outcome = &experiment.outcome;
         let Spread { min, mean, max } =
             Spread::of(outcome.particles.iter().map(|particle| particle.neighbours));
         let lonely = outcome.lonely.iter().map(|lonely| {
@@ -79,23 +80,28 @@ impl Summary {
             )
         });
         Self {
-            scenario: scenario.to_owned(),
+            scenario: experiment.scenario.name.clone(),
             scalar: scalar.to_owned(),
-            dimension: 1,
+            dimension: experiment.scenario.dimension,
             particles: outcome.particles.len(),
             threads,
             steps: outcome.steps,
             time: outcome.time,
+            time_step: [outcome.smallest_step, outcome.largest_step],
             seconds: outcome.seconds,
-            errors,
+            errors: experiment.errors.clone(),
             drift: DriftJson {
                 mass: outcome.drift.mass,
                 momentum: outcome.drift.momentum,
+                angular_momentum: outcome.drift.angular_momentum,
                 energy: outcome.drift.energy,
             },
             neighbours: SpreadJson { min, mean, max },
             digest: outcome.digest.to_string(),
-            warnings: lonely.chain(drifted(outcome)).chain(doubts).collect(),
+            warnings: lonely
+                .chain(drifted(outcome))
+                .chain(experiment.doubts.iter().cloned())
+                .collect(),
         }
     }
 }
@@ -153,6 +159,8 @@ impl fmt::Display for Summary {
             "\ndrift      mass {:.1e}, momentum {:.1e}, energy {:.1e}",
             drift.mass, drift.momentum, drift.energy
         )?;
+        let [smallest, largest] = self.time_step;
+        writeln!(f, "time step  {smallest:.3e} to {largest:.3e}")?;
         let SpreadJson { min, mean, max } = self.neighbours;
         writeln!(f, "neighbours {min} to {max}, mean {mean:.2}")?;
         write!(f, "digest     {}", self.digest)?;

@@ -210,6 +210,7 @@ const SECTIONS: &[(&str, &[Key])] = &[
             key("l1", "l1 = 0.0035"),
             key("l2", "l2 = 0.01"),
             key("linf", "linf = 0.1"),
+            key("mean", "mean = 0.0035"),
             key("reason", "reason = \"1.05 of what 900 particles give\""),
         ],
     ),

@@ -34,12 +34,34 @@ pub enum Field {
 /// A norm of an error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Norm {
-    /// Mean.
+    /// Mean over the volume.
     L1,
     /// Root of the mean square.
     L2,
     /// Largest.
     Linf,
+    /// Mean over the particles.
+    Mean,
+}
+
+impl Field {
+    /// Its name in a scenario.
+    pub fn name(self) -> &'static str {
+        FIELDS
+            .iter()
+            .find(|(_, field)| *field == self)
+            .map_or("", |(name, _)| name)
+    }
+}
+
+impl Norm {
+    /// Its name in a scenario.
+    pub fn name(self) -> &'static str {
+        NORMS
+            .iter()
+            .find(|(_, norm)| *norm == self)
+            .map_or("", |(name, _)| name)
+    }
 }
 
 const FIELDS: [(&str, Field); 4] = [
@@ -49,7 +71,12 @@ const FIELDS: [(&str, Field); 4] = [
     ("energy", Field::Energy),
 ];
 
-const NORMS: [(&str, Norm); 3] = [("l1", Norm::L1), ("l2", Norm::L2), ("linf", Norm::Linf)];
+const NORMS: [(&str, Norm); 4] = [
+    ("l1", Norm::L1),
+    ("l2", Norm::L2),
+    ("linf", Norm::Linf),
+    ("mean", Norm::Mean),
+];
 
 /// `[tolerance]`: those of each field in the order of [`FIELDS`] and [`NORMS`].
 pub(super) fn tolerances(root: &Section<'_>, output: &Output) -> Result<Vec<Tolerance>, Fault> {

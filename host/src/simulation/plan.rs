@@ -6,7 +6,7 @@ use motes_core::equation::gas::viscosity::{
     Coefficients, GingoldMonaghan, Named as NamedViscosity, Pairwise, VonNeumann,
 };
 use motes_core::equation::gas::{
-    Diffusion, GasDynamics, Options, Particle, Stretch, Switch, Tube, Width,
+    Diffusion, GasDynamics, Options, Particle, Plain, Stretch, Switch, Tube, Width,
 };
 use motes_core::material::{IdealGas, Isothermal, Named as NamedMaterial, StiffenedGas, Tait};
 use motes_core::scalar::Scalar;
@@ -53,12 +53,13 @@ const SMALLEST_OMEGA: f64 = 1.0 / 32.0;
 
 impl Plan {
     /// The solver, in the scalar of the run.
-    pub fn solver<'m, S: Scalar, C, V, const D: usize>(
+    pub fn solver<'m, S: Scalar, C, V, P, const D: usize>(
         &self,
         cut_off: C,
         viscosity: V,
+        physics: P,
         materials: &'m [NamedMaterial<S>],
-    ) -> GasDynamics<'m, S, C, V, NamedMaterial<S>, D> {
+    ) -> GasDynamics<'m, S, C, V, NamedMaterial<S>, P, D> {
         GasDynamics {
             domain: self.domain(),
             cut_off,
@@ -72,7 +73,7 @@ impl Plan {
             },
             viscosity,
             materials,
-            options: self.options(),
+            physics,
             courant: S::from_f64(self.courant),
             smallest_omega: S::from_f64(SMALLEST_OMEGA),
         }
@@ -92,9 +93,11 @@ impl Plan {
     pub fn options<S: Scalar, const D: usize>(&self) -> Options<S, D> {
         let options = &self.options;
         Options {
-            weights: options.weights,
+            plain: Plain {
+                weights: options.plain.weights,
+                acceleration: std::array::from_fn(|i| S::from_f64(options.plain.acceleration[i])),
+            },
             energy: options.energy,
-            acceleration: std::array::from_fn(|i| S::from_f64(options.acceleration[i])),
             limited: options.limited,
             switch: options.switch.map(|switch| Switch {
                 minimum: S::from_f64(switch.minimum),
@@ -169,7 +172,7 @@ impl Plan {
         let [EquationOfState::IdealGas { gamma }] = self.materials[..] else {
             return None;
         };
-        (self.options == Options::PLAIN).then_some(Tube {
+        (self.options == Options::OFF).then_some(Tube {
             half_length: self.axes[0].upper,
             sides: self.axes[0].sides,
             stretches,

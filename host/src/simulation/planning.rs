@@ -3,12 +3,12 @@
 use motes_core::cutoff::{CutOff, Named};
 use motes_core::domain::{Axis, Side};
 use motes_core::equation::gas::{
-    Diffusion, EnergyForm, Options, Particle, Stretch, Switch, Weights, Width,
+    Diffusion, EnergyForm, Options, Particle, Plain, Stretch, Switch, Weights, Width,
 };
 
+use super::RunError;
 use super::limits::check_memory;
 use super::plan::Plan;
-use super::RunError;
 use crate::scenario::{
     self, Arrangement, CutOffShape, EnergyRule, EquationOfState, Scenario, Share, ViscosityKind,
 };
@@ -193,19 +193,21 @@ impl Frame<'_> {
         let diffusivity = units.length * units.velocity;
         let acceleration = units.velocity / units.time();
         Options {
-            weights: match scenario.weights {
-                scenario::Weights::Mass => Weights::Mass,
-                scenario::Weights::Number => Weights::Number,
+            plain: Plain {
+                weights: match scenario.weights {
+                    scenario::Weights::Mass => Weights::Mass,
+                    scenario::Weights::Number => Weights::Number,
+                },
+                acceleration: std::array::from_fn(|i| {
+                    let component = scenario.acceleration.get(i).copied();
+                    component.unwrap_or(0.0) / acceleration
+                }),
             },
             energy: match scenario.time.energy {
                 EnergyRule::LeapFrog => EnergyForm::LeapFrog,
                 EnergyRule::Exact => EnergyForm::Exact,
                 EnergyRule::Total => EnergyForm::Total,
             },
-            acceleration: std::array::from_fn(|i| {
-                let component = scenario.acceleration.get(i).copied();
-                component.unwrap_or(0.0) / acceleration
-            }),
             limited: viscosity.kind == ViscosityKind::Limited,
             switch: viscosity.switch.map(|switch| Switch {
                 // The core's factor multiplies alpha, the scenario's minimum is an alpha.

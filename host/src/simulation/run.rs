@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use motes_core::cutoff::CutOff;
-use motes_core::equation::gas::{Gas, GasDynamics, Viscosity};
+use motes_core::equation::gas::{Gas, GasDynamics, Physics, Viscosity};
 use motes_core::error::Error;
 use motes_core::integrator::Clock;
 use motes_core::material::{EquationOfState, Named as NamedMaterial};
@@ -36,21 +36,25 @@ pub struct Control<'a> {
 }
 
 /// A plan in the scalar of the run.
-struct Run<'a, 'm, S: Scalar, C, V, const D: usize> {
+struct Run<'a, 'm, S: Scalar, C, V, P, const D: usize> {
     plan: &'a Plan,
-    solver: GasDynamics<'m, S, C, V, NamedMaterial<S>, D>,
+    solver: GasDynamics<'m, S, C, V, NamedMaterial<S>, P, D>,
     clock: Clock<S>,
 }
 
-/// Runs a plan with one scalar, cut-off and viscosity.
-pub(super) fn run_with<S: HostScalar, C: CutOff, V: Viscosity<S>, const D: usize>(
+/// Runs a plan with one scalar, cut-off, viscosity and law.
+pub(super) fn run_with<S: HostScalar, C, V, P, const D: usize>(
     plan: &Plan,
     scalar: &str,
-    cut_off: C,
-    viscosity: V,
+    (cut_off, viscosity, physics): (C, V, P),
     engine: &mut Threads,
     control: &mut Control<'_>,
-) -> Result<Outcome, RunError> {
+) -> Result<Outcome, RunError>
+where
+    C: CutOff,
+    V: Viscosity<S>,
+    P: Physics<S, D>,
+{
     let options = plan.options::<S, D>();
     let bytes = GasArrays::<S, D>::bytes_per_particle(&options);
     check_memory(plan.particles.len(), bytes)?;
@@ -58,14 +62,19 @@ pub(super) fn run_with<S: HostScalar, C: CutOff, V: Viscosity<S>, const D: usize
     let materials = plan.materials();
     let run = Run {
         plan,
-        solver: plan.solver(cut_off, viscosity, &materials),
+        solver: plan.solver(cut_off, viscosity, physics, &materials),
         clock: Clock::new(S::from_f64(plan.end)),
     };
     let arrays = GasArrays::new(plan.particles(), &options);
     run.complete(arrays, engine, control)
 }
 
-impl<S: HostScalar, C: CutOff, V: Viscosity<S>, const D: usize> Run<'_, '_, S, C, V, D> {
+impl<S: HostScalar, C, V, P, const D: usize> Run<'_, '_, S, C, V, P, D>
+where
+    C: CutOff,
+    V: Viscosity<S>,
+    P: Physics<S, D>,
+{
     fn complete(
         mut self,
         mut arrays: GasArrays<S, D>,
@@ -213,9 +222,7 @@ impl<S: HostScalar, C: CutOff, V: Viscosity<S>, const D: usize> Run<'_, '_, S, C
         };
         let turn = |i: usize| {
             let (a, b) = ((i + 1) % 3, (i + 2) % 3);
-            sum(&|p| {
-                p.mass * (p.position[a] * p.velocity[b] - p.position[b] * p.velocity[a])
-            })
+            sum(&|p| p.mass * (p.position[a] * p.velocity[b] - p.position[b] * p.velocity[a]))
         };
         let speed = |p: &ParticleRow| if D == 1 { p.velocity[0] } else { p.speed() };
         Sample {
@@ -237,7 +244,11 @@ impl<S: HostScalar, C: CutOff, V: Viscosity<S>, const D: usize> Run<'_, '_, S, C
     /// The external acceleration in the scenario's units.
     fn external(&self) -> [f64; 3] {
         let unit = self.plan.units.velocity / self.plan.units.time();
-        self.plan.options.acceleration.map(|component| component * unit)
+        self.plan
+            .options
+            .plain
+            .acceleration
+            .map(|component| component * unit)
     }
 
     fn drift(&self, first: &Sample, last: &Sample) -> Drift {

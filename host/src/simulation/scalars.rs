@@ -4,7 +4,6 @@
 use fixed::types::extra::{U12, U16, U18, U19, U20, U22, U32, U40, U48};
 use motes_core::cutoff::{CubicSpline, Named as NamedCutOff, WendlandC2};
 use motes_core::equation::gas::viscosity::Named as NamedViscosity;
-use motes_core::scalar::Scalar;
 #[cfg(feature = "every-scalar")]
 use motes_core::scalar::{Checked, Micro, Q32, Q64};
 
@@ -38,8 +37,7 @@ macro_rules! scalars {
 }
 
 /// Runs a plan with one scalar; `true` marks overflow and stops at the first.
-type Runner =
-    fn(&Plan, &str, bool, &mut Threads, &mut Control<'_>) -> Result<Outcome, RunError>;
+type Runner = fn(&Plan, &str, bool, &mut Threads, &mut Control<'_>) -> Result<Outcome, RunError>;
 
 scalars! {
     F64, "f64", "IEEE double precision", in_floats::<f64>;
@@ -115,8 +113,8 @@ pub fn run(
     (scalar.runner())(plan, scalar.name(), checked, engine, control)
 }
 
-/// The default cut-off of each dimension and the default viscosity are compiled together, the
-/// others are looked up for each pair: the same bits, slower.
+/// The paper's equations with the default cut-off of each dimension and the default viscosity
+/// are compiled together, others are looked up for each pair: the same bits, slower.
 fn in_floats<S: HostScalar>(
     plan: &Plan,
     name: &str,
@@ -127,22 +125,26 @@ fn in_floats<S: HostScalar>(
     let NamedViscosity::Pairwise(viscosity) = plan.viscosity::<S>() else {
         return in_dimensions::<S>(plan, name, checked, engine, control);
     };
+    let is_plain = !plan.options.need_exchange();
     match (plan.cut_off, plan.dimension) {
-        (NamedCutOff::CubicSpline, 1) => {
-            run_with::<S, _, _, 1>(plan, name, CubicSpline, viscosity, engine, control)
+        (NamedCutOff::CubicSpline, 1) if is_plain => {
+            let law = (CubicSpline, viscosity, plan.options::<S, 1>().plain);
+            run_with(plan, name, law, engine, control)
         }
-        (NamedCutOff::WendlandC2, 2) => {
-            run_with::<S, _, _, 2>(plan, name, WendlandC2, viscosity, engine, control)
+        (NamedCutOff::WendlandC2, 2) if is_plain => {
+            let law = (WendlandC2, viscosity, plan.options::<S, 2>().plain);
+            run_with(plan, name, law, engine, control)
         }
-        (NamedCutOff::WendlandC2, 3) => {
-            run_with::<S, _, _, 3>(plan, name, WendlandC2, viscosity, engine, control)
+        (NamedCutOff::WendlandC2, 3) if is_plain => {
+            let law = (WendlandC2, viscosity, plan.options::<S, 3>().plain);
+            run_with(plan, name, law, engine, control)
         }
         _ => in_dimensions::<S>(plan, name, checked, engine, control),
     }
 }
 
 #[cfg(feature = "every-scalar")]
-fn in_fixed_point<S: Scalar>(
+fn in_fixed_point<S>(
     plan: &Plan,
     name: &str,
     checked: bool,
@@ -167,10 +169,25 @@ fn in_dimensions<S: HostScalar>(
     engine: &mut Threads,
     control: &mut Control<'_>,
 ) -> Result<Outcome, RunError> {
-    let (cut_off, viscosity) = (plan.cut_off, plan.viscosity::<S>());
     match plan.dimension {
-        1 => run_with::<S, _, _, 1>(plan, name, cut_off, viscosity, engine, control),
-        2 => run_with::<S, _, _, 2>(plan, name, cut_off, viscosity, engine, control),
-        _ => run_with::<S, _, _, 3>(plan, name, cut_off, viscosity, engine, control),
+        1 => in_dimension::<S, 1>(plan, name, engine, control),
+        2 => in_dimension::<S, 2>(plan, name, engine, control),
+        _ => in_dimension::<S, 3>(plan, name, engine, control),
+    }
+}
+
+fn in_dimension<S: HostScalar, const D: usize>(
+    plan: &Plan,
+    name: &str,
+    engine: &mut Threads,
+    control: &mut Control<'_>,
+) -> Result<Outcome, RunError> {
+    let (cut_off, viscosity) = (plan.cut_off, plan.viscosity::<S>());
+    let options = plan.options::<S, D>();
+    if options.need_exchange() {
+        run_with(plan, name, (cut_off, viscosity, options), engine, control)
+    } else {
+        let law = (cut_off, viscosity, options.plain);
+        run_with(plan, name, law, engine, control)
     }
 }

@@ -9,6 +9,7 @@ use crate::scalar::Scalar;
 
 use super::density::{Density, DensityNode, MAX_PASSES, Width};
 use super::dynamics::{GasDynamics, Lowest};
+use super::physics::Physics;
 use super::state::Gas;
 use super::storage::Workspace;
 use super::viscosity::Viscosity;
@@ -17,12 +18,13 @@ use super::viscosity::Viscosity;
 /// guess of ε needs more than two.
 const MAX_SORTS: u32 = 40;
 
-impl<S, C, V, E, const D: usize> GasDynamics<'_, S, C, V, E, D>
+impl<S, C, V, E, P, const D: usize> GasDynamics<'_, S, C, V, E, P, D>
 where
     S: Scalar,
     C: CutOff,
     V: Viscosity<S>,
     E: EquationOfState<S>,
+    P: Physics<S, D>,
 {
     /// Sorts the cloud and settles ρ, ε and Ω of every particle; leaves them in
     /// `work.densities`, in sorted order, and in `gas`.

@@ -8,7 +8,8 @@ use crate::pairs::Engine;
 use crate::scalar::Scalar;
 
 use super::density::Width;
-use super::options::{Options, Weights};
+use super::options::Weights;
+use super::physics::{Physics, Settled};
 use super::state::{Gas, Row};
 use super::storage::Workspace;
 use super::viscosity::Viscosity;
@@ -16,7 +17,7 @@ use super::viscosity::Viscosity;
 /// A gas and how it is solved. All quantities in solver units: mean spacing, reference
 /// density and reference sound speed are of order 1.
 #[derive(Clone, Copy, Debug)]
-pub struct GasDynamics<'a, S, C, V, E, const D: usize> {
+pub struct GasDynamics<'a, S, C, V, E, P, const D: usize> {
     /// Where the gas is.
     pub domain: Domain<S, D>,
     /// ζ.
@@ -27,20 +28,22 @@ pub struct GasDynamics<'a, S, C, V, E, const D: usize> {
     pub viscosity: V,
     /// p(ρ, e) of each material; particles name theirs by its place here.
     pub materials: &'a [E],
-    /// What goes beyond the paper's equations.
-    pub options: Options<S, D>,
+    /// Which law: [`Plain`](super::Plain), or [`Options`](super::Options) for more than the
+    /// paper's equations.
+    pub physics: P,
     /// The factor of the stable time step, in (0, 1].
     pub courant: S,
     /// The smallest Ω that is accepted.
     pub smallest_omega: S,
 }
 
-impl<S, C, V, E, const D: usize> GasDynamics<'_, S, C, V, E, D>
+impl<S, C, V, E, P, const D: usize> GasDynamics<'_, S, C, V, E, P, D>
 where
     S: Scalar,
     C: CutOff,
     V: Viscosity<S>,
     E: EquationOfState<S>,
+    P: Physics<S, D>,
 {
     /// Makes the densities and rates of a state whose positions, velocities, energies and
     /// expected ε have been set. Must run once before the first step.
@@ -104,17 +107,13 @@ where
         dt: S,
     ) -> Result<(), Error> {
         let grid = self.densities(engine, gas, work, dt)?;
-        if self.options.need_exchange() {
-            self.exchange_rates(engine, gas, work, grid, dt)
-        } else {
-            self.motion_rates(engine, gas, work, grid, dt)
-        }
+        P::rates(self, engine, gas, work, Settled { grid, dt })
     }
 
     /// The measure μ of a particle of that mass.
     #[inline(always)]
     pub(super) fn measure(&self, mass: S) -> S {
-        match self.options.weights {
+        match self.physics.plain().weights {
             Weights::Mass => mass,
             Weights::Number => S::ONE,
         }
@@ -123,7 +122,7 @@ where
     /// The density ρ where the sum of measures is ν.
     #[inline(always)]
     pub(super) fn density(&self, mass: S, sum: S) -> S {
-        match self.options.weights {
+        match self.physics.plain().weights {
             Weights::Mass => sum,
             Weights::Number => mass * sum,
         }
@@ -144,7 +143,7 @@ where
     /// The pair forces on a particle and its share of the external ones.
     #[inline(always)]
     pub(super) fn with_external(&self, mass: S, mut force: [S; D]) -> [S; D] {
-        for (component, &acceleration) in force.iter_mut().zip(&self.options.acceleration) {
+        for (component, &acceleration) in force.iter_mut().zip(&self.physics.plain().acceleration) {
             *component += mass * acceleration;
         }
         force
@@ -153,8 +152,7 @@ where
     /// The speed that bounds the time step of a particle whose force is final.
     #[inline(always)]
     pub(super) fn signal(&self, row: &Row<'_, S, D>, sound_speed: S, approach: S) -> S {
-        let diffusion = self.options.diffusion;
-        let spread = S::count(8) * ((diffusion.viscosity + diffusion.heat) / *row.epsilon);
+        let spread = S::count(8) * (self.physics.diffusivity() / *row.epsilon);
         let mut force = S::ZERO;
         for &component in row.force.iter() {
             force = force.greater(component.abs());

@@ -179,8 +179,8 @@ impl<S: Scalar, C: CutOff, V: Viscosity<S>> Exchange<C, V, S> {
     ) -> N {
         let half = N::literal(0.5);
         let step = k.energy - l.energy;
-        let mut conducted = N::splat(self.diffusion.heat)
-            * ((k.specific_volume + l.specific_volume) * step);
+        let mut conducted =
+            N::splat(self.diffusion.heat) * ((k.specific_volume + l.specific_volume) * step);
         if self.conduction > S::ZERO {
             let density = half * (k.density + l.density);
             let sound_speed = half * (k.sound_speed + l.sound_speed);
@@ -188,11 +188,7 @@ impl<S: Scalar, C: CutOff, V: Viscosity<S>> Exchange<C, V, S> {
             let signal = (jump - sound_speed * speed.max(N::zero()))
                 .max(N::zero())
                 .sqrt();
-            let left = step
-                - continued(
-                    N::dot(&k.energy_slope, r),
-                    N::dot(&l.energy_slope, r),
-                );
+            let left = step - continued(N::dot(&k.energy_slope, r), N::dot(&l.energy_slope, r));
             // Between 0 and the whole step: heat never runs uphill.
             let zero = N::zero();
             let left = step.min(left).max(zero) + step.max(left).min(zero);

@@ -12,7 +12,7 @@ use super::density::DensityNode;
 use super::dynamics::{GasDynamics, Lowest};
 use super::exchange::{Exchange, ExchangeNode, ExchangeSums, Sum};
 use super::gradient::{Gradient, GradientNode, GradientSums, divergence};
-use super::options::EnergyForm;
+use super::options::{EnergyForm, Options};
 use super::state::{Gas, Row};
 use super::storage::Workspace;
 use super::switch::{Flow, balsara};
@@ -21,7 +21,7 @@ use super::viscosity::{Local, Viscosity};
 /// The node and the sums of each particle, in sorted order.
 type Rates<S, const D: usize> = [Settled<ExchangeNode<S, D>, ExchangeSums<S, D>>];
 
-impl<S, C, V, E, const D: usize> GasDynamics<'_, S, C, V, E, D>
+impl<S, C, V, E, const D: usize> GasDynamics<'_, S, C, V, E, Options<S, D>, D>
 where
     S: Scalar,
     C: CutOff,
@@ -51,7 +51,7 @@ where
                 *node = self.exchange_node(&settled.node, &row, sigma, dt);
             }
         }
-        if self.options.need_gradients() {
+        if self.physics.need_gradients() {
             let (Some(gradient_nodes), Some(gradients)) = (
                 buffers.gradient_nodes.get_mut(..n),
                 buffers.gradients.get_mut(..n),
@@ -64,9 +64,9 @@ where
         let mut law = Exchange {
             cut_off: self.cut_off,
             viscosity: self.viscosity,
-            limited: self.options.limited,
-            conduction: self.options.conduction,
-            diffusion: self.options.diffusion,
+            limited: self.physics.limited,
+            conduction: self.physics.conduction,
+            diffusion: self.physics.diffusion,
             sum: Sum::Forces,
         };
         if self.viscosity.needs_divergence() {
@@ -76,7 +76,7 @@ where
         engine.sweep(&law, &cells, nodes, rates)?;
         let settled = densities.iter().map(|settled| &settled.node);
         self.close_motion(gas, &cells, rates, settled, dt);
-        match self.options.energy {
+        match self.physics.energy {
             EnergyForm::LeapFrog => {}
             EnergyForm::Exact => {
                 for (node, &id) in nodes.iter_mut().zip(cells.order()) {
@@ -113,7 +113,7 @@ where
         sigma: S,
         dt: S,
     ) -> ExchangeNode<S, D> {
-        let (velocity, energy) = row.predicted(dt, self.options.energy);
+        let (velocity, energy) = row.predicted(dt, self.physics.energy);
         let (density, epsilon) = (*row.density, settled.epsilon);
         let (pressure, sound_speed) = self.pressure(row.material, density, energy);
         ExchangeNode {
@@ -175,16 +175,16 @@ where
             let Some(row) = gas.row(id) else { continue };
             let slopes = gradient.sums.slopes();
             let gradient = slopes.velocity;
-            if self.options.conduction > S::ZERO {
+            if self.physics.conduction > S::ZERO {
                 node.energy_slope = slopes.energy;
             }
-            if self.options.limited {
+            if self.physics.limited {
                 node.slope = gradient;
             }
-            if self.options.balsara {
+            if self.physics.balsara {
                 node.factor = balsara(&gradient, node.sound_speed, node.epsilon);
             }
-            if let Some(switch) = &self.options.switch {
+            if let Some(switch) = &self.physics.switch {
                 let flow = Flow {
                     gradient,
                     divergence_before: *row.divergence,
@@ -227,16 +227,16 @@ where
         densities: impl Iterator<Item = &'s DensityNode<S, D>>,
         dt: S,
     ) {
-        let has_gradients = self.options.need_gradients();
+        let has_gradients = self.physics.need_gradients();
         for ((rate, settled), &id) in rates.iter().zip(densities).zip(cells.order()) {
             let (node, sums) = (&rate.node, &rate.sums);
             let Some(mut row) = gas.row(id) else { continue };
-            if self.options.energy == EnergyForm::Total {
+            if self.physics.energy == EnergyForm::Total {
                 // What is kinetic now is not after the kick; the sum is what goes on.
                 *row.energy += row.kinetic_energy();
             }
             row.kick(dt, self.with_external(node.mass, sums.force));
-            if self.options.energy == EnergyForm::LeapFrog {
+            if self.physics.energy == EnergyForm::LeapFrog {
                 let power = node.measure * (node.force_pressure * sums.compression) + sums.power;
                 row.heat(dt, power);
             }
@@ -278,7 +278,7 @@ where
     ) {
         for (rate, &id) in rates.iter().zip(cells.order()) {
             let Some(mut row) = gas.row(id) else { continue };
-            let external = S::dot(&rate.node.velocity, &self.options.acceleration);
+            let external = S::dot(&rate.node.velocity, &self.physics.plain.acceleration);
             row.heat(dt, rate.sums.power + row.mass * external);
             *row.energy -= row.kinetic_energy();
         }

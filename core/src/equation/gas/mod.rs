@@ -22,6 +22,7 @@ pub mod gradient;
 pub mod motion;
 mod motion_rates;
 pub mod options;
+mod physics;
 pub mod state;
 mod storage;
 pub mod switch;
@@ -30,7 +31,8 @@ pub mod viscosity;
 
 pub use density::Width;
 pub use dynamics::GasDynamics;
-pub use options::{Diffusion, EnergyForm, Options, Switch, Weights};
+pub use options::{Diffusion, EnergyForm, Options, Plain, Switch, Weights};
+pub use physics::{Physics, Settled};
 pub use state::{Gas, Particle};
 pub use storage::{ExchangeStorage, ExchangeWorkspace, GasStorage, Workspace};
 pub use tube::{Stretch, Tube};

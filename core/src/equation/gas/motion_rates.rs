@@ -11,16 +11,18 @@ use super::density::DensityNode;
 use super::dynamics::{GasDynamics, Lowest};
 use super::motion::{GasNode, Motion};
 use super::options::EnergyForm;
+use super::physics::Physics;
 use super::state::{Gas, Row};
 use super::storage::Workspace;
 use super::viscosity::{Local, Viscosity};
 
-impl<S, C, V, E, const D: usize> GasDynamics<'_, S, C, V, E, D>
+impl<S, C, V, E, P, const D: usize> GasDynamics<'_, S, C, V, E, P, D>
 where
     S: Scalar,
     C: CutOff,
     V: Viscosity<S>,
     E: EquationOfState<S>,
+    P: Physics<S, D>,
 {
     /// Forces and powers of settled densities; closes the step.
     pub(super) fn motion_rates(

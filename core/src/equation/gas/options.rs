@@ -47,17 +47,31 @@ pub struct Diffusion<S> {
     pub heat: S,
 }
 
-/// What a gas solver may do beyond the paper's equations. With [`Options::PLAIN`] it solves
-/// those with the fastest loops; anything else but weights and acceleration takes the loop
-/// of [`super::exchange`].
+/// The paper's equations, with the fastest loops and the least memory: the law of
+/// [`super::motion`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options<S, const D: usize> {
+pub struct Plain<S, const D: usize> {
     /// The weight rule.
     pub weights: Weights,
-    /// The energy.
-    pub energy: EnergyForm,
     /// External acceleration, length/time².
     pub acceleration: [S; D],
+}
+
+impl<S: Scalar, const D: usize> Plain<S, D> {
+    /// Weights by mass and no external acceleration.
+    pub const DEFAULT: Self = Self {
+        weights: Weights::Mass,
+        acceleration: [S::ZERO; D],
+    };
+}
+
+/// What a gas solver may do beyond the paper's equations: the law of [`super::exchange`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options<S, const D: usize> {
+    /// Weights and external acceleration.
+    pub plain: Plain<S, D>,
+    /// The energy.
+    pub energy: EnergyForm,
     /// Whether the viscosity sees velocities that are reconstructed between the particles.
     pub limited: bool,
     /// Whether the viscosity decays away from shocks.
@@ -71,11 +85,10 @@ pub struct Options<S, const D: usize> {
 }
 
 impl<S: Scalar, const D: usize> Options<S, D> {
-    /// The paper's equations and nothing else.
-    pub const PLAIN: Self = Self {
-        weights: Weights::Mass,
+    /// Everything off: the paper's equations.
+    pub const OFF: Self = Self {
+        plain: Plain::DEFAULT,
         energy: EnergyForm::LeapFrog,
-        acceleration: [S::ZERO; D],
         limited: false,
         switch: None,
         balsara: false,
@@ -91,7 +104,8 @@ impl<S: Scalar, const D: usize> Options<S, D> {
         self.limited || self.balsara || self.switch.is_some() || self.conduction > S::ZERO
     }
 
-    /// Whether the loop of [`super::exchange`] is needed.
+    /// Whether anything is on that [`Plain`] has not. Where nothing is, runs are made with
+    /// [`Plain`]: the two laws agree, but not to the last bit.
     pub fn need_exchange(&self) -> bool {
         self.need_gradients()
             || self.energy != EnergyForm::LeapFrog

@@ -25,8 +25,8 @@ pub struct Workspace<'a, S: Scalar, const D: usize> {
     pub gas_nodes: &'a mut [GasNode<S, D>],
     /// Its results.
     pub rates: &'a mut [Settled<GasNode<S, D>, GasSums<S, D>>],
-    /// For what goes beyond the paper's equations; may be empty where
-    /// [`Options::need_exchange`](super::Options::need_exchange) says no.
+    /// For what goes beyond the paper's equations: [`Options`](super::Options). Empty with
+    /// [`Plain`](super::Plain).
     pub exchange: ExchangeWorkspace<'a, S, D>,
 }
 

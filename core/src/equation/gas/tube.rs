@@ -4,7 +4,7 @@
 //! give equal bits.
 
 use super::state::Particle;
-use super::{GasDynamics, Options, Width};
+use super::{GasDynamics, Plain, Width};
 use crate::domain::{Axis, Domain, Side};
 use crate::material::IdealGas;
 use crate::scalar::Scalar;
@@ -78,7 +78,7 @@ impl Tube<'_> {
         cut_off: C,
         viscosity: V,
         materials: &'m [IdealGas<S>; 1],
-    ) -> GasDynamics<'m, S, C, V, IdealGas<S>, 1> {
+    ) -> GasDynamics<'m, S, C, V, IdealGas<S>, Plain<S, 1>, 1> {
         let half = S::from_f64(self.half_length);
         GasDynamics {
             domain: Domain {
@@ -99,7 +99,7 @@ impl Tube<'_> {
             },
             viscosity,
             materials,
-            options: Options::PLAIN,
+            physics: Plain::DEFAULT,
             courant: S::from_f64(self.courant),
             smallest_omega: S::from_f64(SMALLEST_OMEGA),
         }

@@ -4,7 +4,18 @@ use proptest::prelude::*;
 
 use super::*;
 
+mod stiffened;
+
 fn problem(left: [f64; 3], right: [f64; 3], gammas: [f64; 2]) -> RiemannProblem {
+    stiffened_problem(left, right, gammas, [0.0; 2])
+}
+
+fn stiffened_problem(
+    left: [f64; 3],
+    right: [f64; 3],
+    gammas: [f64; 2],
+    p_inf: [f64; 2],
+) -> RiemannProblem {
     let state = |[density, velocity, pressure]: [f64; 3]| GasState {
         density,
         velocity,
@@ -15,6 +26,8 @@ fn problem(left: [f64; 3], right: [f64; 3], gammas: [f64; 2]) -> RiemannProblem 
         right: state(right),
         left_gamma: gammas[0],
         right_gamma: gammas[1],
+        left_pressure_at_infinity: p_inf[0],
+        right_pressure_at_infinity: p_inf[1],
     }
 }
 
@@ -110,11 +123,11 @@ fn a_mirrored_problem_has_the_mirrored_solution() {
 
 /// Jump of the fluxes of mass, momentum and energy across a wave of speed `s`,
 /// each in the scale of its terms.
-fn flux_jumps(a: GasState, b: GasState, gamma: f64, s: f64) -> [f64; 3] {
+fn flux_jumps(a: GasState, b: GasState, gamma: f64, p_inf: f64, s: f64) -> [f64; 3] {
     let flux = |state: GasState| {
         let speed = state.velocity - s;
         let mass = state.density * speed;
-        let enthalpy = gamma / (gamma - 1.0) * state.pressure / state.density;
+        let enthalpy = gamma / (gamma - 1.0) * (state.pressure + p_inf) / state.density;
         [
             mass,
             mass * speed + state.pressure,
@@ -130,16 +143,32 @@ fn assert_is_a_solution(problem: &RiemannProblem, bound: f64) {
     let solution = problem.solve().unwrap();
     let (left, right) = (problem.left, problem.right);
     let [right_tail, right_head] = solution.right_wave();
-    for (outside, gamma, [head, tail], sign) in [
-        (left, problem.left_gamma, solution.left_wave(), 1.0),
-        (right, problem.right_gamma, [right_head, right_tail], -1.0),
+    let p_inf = [
+        problem.left_pressure_at_infinity,
+        problem.right_pressure_at_infinity,
+    ];
+    for (outside, gamma, p_inf, [head, tail], sign) in [
+        (
+            left,
+            problem.left_gamma,
+            p_inf[0],
+            solution.left_wave(),
+            1.0,
+        ),
+        (
+            right,
+            problem.right_gamma,
+            p_inf[1],
+            [right_head, right_tail],
+            -1.0,
+        ),
     ] {
-        let a = (gamma * outside.pressure / outside.density).sqrt();
+        let a = (gamma * (outside.pressure + p_inf) / outside.density).sqrt();
         let inwards = sign * 1e-9 * (a + head.abs());
         assert_eq!(solution.sample(head - inwards), outside);
         if head == tail {
             let behind = solution.sample(head + inwards);
-            let jumps = flux_jumps(outside, behind, gamma, head);
+            let jumps = flux_jumps(outside, behind, gamma, p_inf, head);
             for (jump, what) in jumps.into_iter().zip(["mass", "momentum", "energy"]) {
                 assert_near(
                     jump,
@@ -154,7 +183,7 @@ fn assert_is_a_solution(problem: &RiemannProblem, bound: f64) {
             let last = if solution.star().is_some() { 10 } else { 9 };
             for i in 0..=last {
                 let xi = head + (tail - head) * f64::from(i) / 10.0;
-                assert_fan_state(&solution, outside, gamma, xi, sign, bound);
+                assert_fan_state(&solution, outside, [gamma, p_inf], xi, sign, bound);
             }
         }
     }
@@ -164,16 +193,16 @@ fn assert_is_a_solution(problem: &RiemannProblem, bound: f64) {
 fn assert_fan_state(
     solution: &RiemannSolution,
     outside: GasState,
-    gamma: f64,
+    [gamma, p_inf]: [f64; 2],
     xi: f64,
     sign: f64,
     bound: f64,
 ) {
     let state = solution.sample(xi);
-    let sound = |state: GasState| (gamma * state.pressure / state.density).sqrt();
+    let total = |state: GasState| state.pressure + p_inf;
+    let sound = |state: GasState| (gamma * total(state) / state.density).sqrt();
     let scale = sound(outside) + outside.velocity.abs() + xi.abs();
-    let entropy =
-        (state.pressure / outside.pressure) / (state.density / outside.density).powf(gamma);
+    let entropy = (total(state) / total(outside)) / (state.density / outside.density).powf(gamma);
     assert_near(entropy, 1.0, bound, "entropy in a fan");
     let invariant = |state: GasState| state.velocity + sign * 2.0 / (gamma - 1.0) * sound(state);
     let scale_invariant = scale * 2.0 / (gamma - 1.0);

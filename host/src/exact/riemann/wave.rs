@@ -7,7 +7,16 @@ use super::GasState;
 pub(super) struct Gas {
     pub state: GasState,
     pub gamma: f64,
-    pub sound_speed: f64,
+    pub pressure_at_infinity: f64,
+    /// `p - floor` outside.
+    pub level: f64,
+    /// Least pressure that both gases of the problem bear: minus the lower p_inf.
+    floor: f64,
+    /// `p_inf + floor`: what the level lacks to `p + p_inf`.
+    stiffness: f64,
+    /// `p + p_inf` outside.
+    total: f64,
+    sound_speed: f64,
 }
 
 /// A shock or fan running to the left.
@@ -23,44 +32,52 @@ pub(super) struct Wave {
 }
 
 impl Gas {
-    pub fn new(state: GasState, gamma: f64) -> Self {
-        let sound_speed = (gamma * state.pressure / state.density).sqrt();
+    pub fn new(state: GasState, gamma: f64, pressure_at_infinity: f64, floor: f64) -> Self {
+        let level = state.pressure - floor;
+        let stiffness = pressure_at_infinity + floor;
+        let total = level + stiffness;
         Self {
             state,
             gamma,
-            sound_speed,
+            pressure_at_infinity,
+            level,
+            floor,
+            stiffness,
+            total,
+            sound_speed: (gamma * total / state.density).sqrt(),
         }
     }
 
-    /// How much slower the gas is behind the wave if the pressure there is `p`,
-    /// and the derivative by p: (4.6), (4.7), (4.37).
-    pub fn f(&self, p: f64) -> (f64, f64) {
-        let GasState {
-            density, pressure, ..
-        } = self.state;
+    /// How much slower the gas is behind the wave if the pressure there is `floor + level`,
+    /// and the derivative by it: (4.6), (4.7), (4.37).
+    pub fn f(&self, level: f64) -> (f64, f64) {
+        let density = self.state.density;
+        let total = level + self.stiffness;
         let (gamma, a) = (self.gamma, self.sound_speed);
-        if p > pressure {
-            let b = (gamma - 1.0) / (gamma + 1.0) * pressure;
-            let root = (2.0 / ((gamma + 1.0) * density) / (p + b)).sqrt();
-            let rise = p - pressure;
-            (rise * root, root * (1.0 - 0.5 * rise / (p + b)))
+        if level > self.level {
+            let b = (gamma - 1.0) / (gamma + 1.0) * self.total;
+            let root = (2.0 / ((gamma + 1.0) * density) / (total + b)).sqrt();
+            let rise = level - self.level;
+            (rise * root, root * (1.0 - 0.5 * rise / (total + b)))
         } else {
-            let ratio = p / pressure;
+            let ratio = total / self.total;
             let z = 0.5 * (gamma - 1.0) / gamma;
             let f = 2.0 * a / (gamma - 1.0) * (libm::pow(ratio, z) - 1.0);
             (f, libm::pow(ratio, z - 1.0) / (density * a))
         }
     }
 
-    /// The speed at which the gas expands into a vacuum: section 4.6.
+    /// The speed of the gas, or of its surface if it is stiffer than the other, beside a
+    /// vacuum: section 4.6.
     pub fn vacuum_edge(&self) -> f64 {
-        self.state.velocity + 2.0 * self.sound_speed / (self.gamma - 1.0)
+        self.state.velocity - self.f(0.0).0
     }
 
-    /// The wave behind which pressure and velocity are as given: section 4.5.
-    pub fn wave(self, pressure: f64, velocity: f64) -> Wave {
+    /// The wave behind which the pressure is `floor + level` and the velocity as given:
+    /// section 4.5.
+    pub fn wave(self, level: f64, velocity: f64) -> Wave {
         let (gamma, a, outside) = (self.gamma, self.sound_speed, self.state);
-        let ratio = pressure / outside.pressure;
+        let ratio = (level + self.stiffness) / self.total;
         let (density, head, tail) = if ratio > 1.0 {
             let m = (gamma - 1.0) / (gamma + 1.0);
             let density = outside.density * (ratio + m) / (m * ratio + 1.0);
@@ -75,7 +92,7 @@ impl Gas {
         let inside = GasState {
             density,
             velocity,
-            pressure,
+            pressure: self.floor + level,
         };
         Wave {
             gas: self,
@@ -99,10 +116,11 @@ impl Wave {
         // Sound speed here / outside; rounding may take it below 0 beside a vacuum.
         let c = (2.0 + (gamma - 1.0) * (outside.velocity - xi) / a) / (gamma + 1.0);
         let c = c.max(0.0);
+        let total = self.gas.total * libm::pow(c, 2.0 * gamma / (gamma - 1.0));
         GasState {
             density: outside.density * libm::pow(c, 2.0 / (gamma - 1.0)),
             velocity: xi + a * c,
-            pressure: outside.pressure * libm::pow(c, 2.0 * gamma / (gamma - 1.0)),
+            pressure: total - self.gas.pressure_at_infinity,
         }
     }
 }

@@ -17,11 +17,12 @@ const CORE: [&str; 10] = [
 ];
 
 /// The layers of the host, lowest first.
-const HOST: [&str; 12] = [
+const HOST: [&str; 13] = [
     "units",
     "engine",
     "exact",
     "scenario",
+    "setup",
     "simulation",
     "comparison",
     "export",

@@ -9,5 +9,6 @@ pub mod export;
 pub mod io;
 pub mod report;
 pub mod scenario;
+pub mod setup;
 pub mod simulation;
 pub mod units;

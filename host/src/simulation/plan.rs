@@ -8,6 +8,7 @@ use crate::scenario::{
     self, Arrangement, CutOffShape, EnergyRule, EquationOfState, Region, Scenario, Share,
     Viscosity, ViscosityKind, Weights,
 };
+use crate::setup::{SetupError, apportion};
 use crate::units::SolverUnits;
 
 /// A one-dimensional gas run in solver units, every number still an `f64`.
@@ -51,6 +52,10 @@ pub enum PlanError {
         /// Its dimension.
         dimension: usize,
     },
+    /// Particles cannot be placed.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Setup(SetupError),
     /// Something that can be read but not solved yet.
     #[error("the scenario has {what}: `motes run` does not solve that so far")]
     #[diagnostic(help("take it out of the scenario"))]
@@ -152,7 +157,10 @@ impl Plan {
         check_units(&units)?;
         check_reach(scenario)?;
         let middle = 0.5 * (lower + upper);
-        let counts = apportion(&masses, particles)?;
+        let counts = apportion(&masses, particles).map_err(|error| match error {
+            SetupError::EmptyRegion { region, share } => PlanError::EmptyRegion { region, share },
+            error => PlanError::Setup(error),
+        })?;
         let stretches = scenario.regions.iter().zip(counts).zip(&masses).map(
             |((region, count), &region_mass)| Stretch {
                 lower: (region.extent.lower[0] - middle) / units.length,
@@ -306,56 +314,5 @@ fn named(shape: CutOffShape) -> Named {
         CutOffShape::WendlandC4 => Named::WendlandC4,
         CutOffShape::WendlandC6 => Named::WendlandC6,
         CutOffShape::RootFree => Named::RootFree,
-    }
-}
-
-/// Shares `particles` out in proportion to the masses, the largest remainders first, so that
-/// their sum is exact.
-fn apportion(masses: &[f64], particles: usize) -> Result<Vec<u32>, PlanError> {
-    let total: f64 = masses.iter().sum();
-    let shares: Vec<f64> = masses
-        .iter()
-        .map(|mass| mass / total * particles as f64)
-        .collect();
-    // A share a rounding below a whole number is that number.
-    let mut counts: Vec<u32> = shares
-        .iter()
-        .map(|share| (share + 1e-9).floor() as u32)
-        .collect();
-    let mut order: Vec<usize> = (0..masses.len()).collect();
-    let remainder = |i: usize| shares[i] - f64::from(counts[i]);
-    order.sort_by(|&a, &b| remainder(b).total_cmp(&remainder(a)));
-    let missing = particles.saturating_sub(counts.iter().map(|&count| count as usize).sum());
-    for &region in order.iter().cycle().take(missing) {
-        counts[region] += 1;
-    }
-    match counts.iter().position(|&count| count == 0) {
-        Some(region) => Err(PlanError::EmptyRegion {
-            region,
-            share: shares[region],
-        }),
-        None => Ok(counts),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn particles_are_shared_out_by_mass_and_none_is_lost() {
-        assert_eq!(apportion(&[1.0, 0.125], 900).unwrap(), [800, 100]);
-        assert_eq!(apportion(&[1.0, 0.125], 225).unwrap(), [200, 25]);
-        assert_eq!(
-            apportion(&[1.0, 1.0, 1.0], 100)
-                .unwrap()
-                .iter()
-                .sum::<u32>(),
-            100
-        );
-        assert!(matches!(
-            apportion(&[1.0, 1e-6], 100),
-            Err(PlanError::EmptyRegion { region: 1, .. })
-        ));
     }
 }

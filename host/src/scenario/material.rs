@@ -117,6 +117,9 @@ impl EquationOfState {
     }
 }
 
+/// Materials are numbered in a byte.
+const MOST: usize = 256;
+
 /// The names of the equations of state, with the keys that each takes.
 const LAWS: [(&str, &[&str]); 4] = [
     ("ideal-gas", &["gamma"]),
@@ -145,6 +148,10 @@ pub(super) fn materials(root: &Section<'_>) -> Result<Vec<Material>, Fault> {
         if let Some(first) = materials.iter().position(|other| other.name == name) {
             let reason = format!("material.{first} has the same name");
             return Err(name_entry.does_not_fit(reason, "give every material a name of its own"));
+        }
+        if materials.len() == MOST {
+            let reason = format!("there can be {MOST} materials");
+            return Err(name_entry.does_not_fit(reason, "use fewer materials"));
         }
         let law = law(&section)?;
         materials.push(Material { name, law });

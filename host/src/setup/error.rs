@@ -1,0 +1,70 @@
+//! Why a scenario gives no particles.
+
+use super::cloud::CloudError;
+
+/// Why a scenario gives no particles.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+#[non_exhaustive]
+pub enum SetupError {
+    /// A region that would get no particle.
+    #[error("region {region} would get no particle: it holds {share:.3} of one")]
+    #[diagnostic(help("use more particles (-n, resolution.particles), or remove the region"))]
+    EmptyRegion {
+        /// Its number, from 0.
+        region: usize,
+        /// Its share of the particles.
+        share: f64,
+    },
+    /// A deposit with no particle inside.
+    #[error(
+        "deposit {deposit} holds no particle: its radius is {radius}, the nearest is {nearest:.3e} from its centre"
+    )]
+    #[diagnostic(help(
+        "enlarge deposit.{deposit}.radius, or use more particles (-n, resolution.particles)"
+    ))]
+    EmptyDeposit {
+        /// Its number, from 0.
+        deposit: usize,
+        /// Its radius.
+        radius: f64,
+        /// Distance of the particle nearest to its centre; infinite without particles.
+        nearest: f64,
+    },
+    /// A turned lattice of which not even one cell fits.
+    #[error(
+        "a lattice turned by atan({p}/{q}) needs {cell} particles a cell: too many for this box"
+    )]
+    #[diagnostic(help(
+        "use more particles (-n, resolution.particles), or smaller numbers in resolution.rotation"
+    ))]
+    Rotation {
+        /// Numerator of the tangent.
+        p: u32,
+        /// Denominator of the tangent.
+        q: u32,
+        /// Particles of its smallest cell.
+        cell: u64,
+    },
+    /// A glass that the engine cannot relax.
+    #[error("cannot relax the glass: {source}")]
+    #[diagnostic(help(
+        "use more particles (-n, resolution.particles): a glass between periodic sides needs at least 9 in each direction"
+    ))]
+    Glass {
+        /// What the engine says.
+        source: motes_core::error::Error,
+    },
+    /// More particles than ids.
+    #[error("{particles} particles are more than this build can number ({limit})")]
+    #[diagnostic(help("use fewer particles (-n, resolution.particles)"))]
+    TooMany {
+        /// How many were asked for.
+        particles: usize,
+        /// How many there can be.
+        limit: usize,
+    },
+    /// A file that is no cloud of particles.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Cloud(#[from] Box<CloudError>),
+}

@@ -1,7 +1,9 @@
 //! Exact solutions, one per file, shared by tests, pictures and studies.
 
+pub mod finite_volume;
 pub mod flow;
 pub mod gresho;
+pub mod kelvin_helmholtz;
 pub mod moving_centre;
 pub mod noh;
 #[cfg(test)]

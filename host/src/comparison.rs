@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::exact::flow::{Flow, FlowError, FlowState};
 use crate::exact::riemann::{GasState, RiemannError, RiemannFlow, RiemannProblem, RiemannSolution};
 use crate::exact::sedov::SedovProblem;
-use crate::flows::profile_flow;
+use crate::flows::{profile_flow, reference};
 use crate::scenario::{EquationOfState, Exact, Extent, Norm, Region, Ring, Scenario, Side};
 use crate::simulation::ParticleRow;
 
@@ -79,7 +79,7 @@ impl ExactSolution {
                 of(Box::new(flow), Some((solution, interface)))
             }
             Some(Exact::Sedov) => of(Box::new(sedov(scenario)?), None),
-            Some(Exact::Reference) => of(reference(scenario)?, None),
+            Some(Exact::Reference) => of(Box::new(reference(scenario)?), None),
         })
     }
 
@@ -226,11 +226,6 @@ fn sedov(scenario: &Scenario) -> Result<impl Flow + use<>, FlowError> {
         pressure: scenario.regions[0].pressure,
     }
     .solve()
-}
-
-/// A converged run of a finite-volume scheme.
-fn reference(_: &Scenario) -> Result<Box<dyn Flow>, FlowError> {
-    todo!("finite volumes")
 }
 
 /// The particles in a window and, where there is one, a ring.

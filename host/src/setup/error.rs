@@ -54,6 +54,10 @@ pub enum SetupError {
         /// What the engine says.
         source: motes_core::error::Error,
     },
+    /// A profile that does not exist.
+    #[error("the profile does not exist: {0}")]
+    #[diagnostic(help("change the numbers of [profile]"))]
+    Profile(#[from] crate::exact::flow::FlowError),
     /// More particles than ids.
     #[error("{particles} particles are more than this build can number ({limit})")]
     #[diagnostic(help("use fewer particles (-n, resolution.particles)"))]

@@ -6,14 +6,14 @@
 //! each particle stands at the median of its own mass.
 
 use super::block::{Block, spacing};
-use super::profile::State;
+use crate::exact::flow::FlowState;
 
 /// Points of equal mass, about as many as asked for (in one dimension exactly), and the mass
 /// of one.
 pub(super) fn points(
     block: &Block,
     particles: usize,
-    state: &dyn Fn([f64; 3]) -> State,
+    state: &dyn Fn([f64; 3]) -> FlowState,
 ) -> (Vec<[f64; 3]>, f64) {
     let edge = spacing(block.volume() / particles as f64, block.dimension);
     let mut sampler = Sampler {
@@ -39,7 +39,7 @@ const CELLS: [usize; 3] = [16_384, 1024, 64];
 
 struct Sampler<'a> {
     block: &'a Block,
-    state: &'a dyn Fn([f64; 3]) -> State,
+    state: &'a dyn Fn([f64; 3]) -> FlowState,
     counts: [usize; 3],
     points: Vec<[f64; 3]>,
 }

@@ -50,23 +50,11 @@ pub enum PlanError {
         /// What it would be.
         value: f64,
     },
-    /// More particles than ids.
-    #[error("{particles} particles are more than this build can number ({limit})")]
-    #[diagnostic(help("use fewer particles (-n, resolution.particles)"))]
-    TooMany {
-        /// How many were asked for.
-        particles: usize,
-        /// How many there can be.
-        limit: usize,
-    },
     /// More particles than fit into memory.
     #[error(transparent)]
     #[diagnostic(transparent)]
     Memory(RunError),
 }
-
-/// Ids, cells and words of neighbour lists are 32 bits wide; cells are up to four a particle.
-const LARGEST: usize = 1 << 29;
 
 impl Plan {
     /// Plans a run.
@@ -74,13 +62,7 @@ impl Plan {
     /// # Errors
     /// What [`PlanError`] lists.
     pub fn new(scenario: &Scenario) -> Result<Self, PlanError> {
-        let particles = scenario.resolution.particles;
-        if particles > LARGEST {
-            return Err(PlanError::TooMany {
-                particles,
-                limit: LARGEST,
-            });
-        }
+        let particles = scenario.resolution.particles.min(setup::LARGEST);
         check_memory(particles, size_of::<Placed>()).map_err(PlanError::Memory)?;
         check_reach(scenario)?;
         let placed = setup::particles(scenario)?;

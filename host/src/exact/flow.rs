@@ -1,7 +1,7 @@
 //! What all exact solutions are: flows of gas known everywhere.
 //!
 //! Units are the caller's, any consistent set. Elementary functions come from `libm`, so
-//! that a flow has the same bits on every platform.
+//! that a flow has the same bits on every platform; the Riemann problem only at t = 0.
 
 use thiserror::Error;
 

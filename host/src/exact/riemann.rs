@@ -277,7 +277,7 @@ fn star_level(left: &Gas, right: &Gas) -> Result<Option<f64>, RiemannError> {
             lower = p;
         }
         let step = -value / (p * slope);
-        let newton = p * libm::exp(step);
+        let newton = p * step.exp();
         let inside = lower < newton && newton < upper;
         let next = if inside {
             newton

@@ -1,4 +1,7 @@
 //! One wave of a Riemann problem: a shock or a fan into a uniform gas.
+//!
+//! Powers are std's, not libm's as in the other solutions: `embedded/src/tube.rs` holds their
+//! bits. The states outside the waves, all that there is at t = 0, need none.
 
 use super::GasState;
 
@@ -62,8 +65,8 @@ impl Gas {
         } else {
             let ratio = total / self.total;
             let z = 0.5 * (gamma - 1.0) / gamma;
-            let f = 2.0 * a / (gamma - 1.0) * (libm::pow(ratio, z) - 1.0);
-            (f, libm::pow(ratio, z - 1.0) / (density * a))
+            let f = 2.0 * a / (gamma - 1.0) * (ratio.powf(z) - 1.0);
+            (f, ratio.powf(z - 1.0) / (density * a))
         }
     }
 
@@ -85,8 +88,8 @@ impl Gas {
             let shock = outside.velocity - a * mach;
             (density, shock, shock)
         } else {
-            let density = outside.density * libm::pow(ratio, 1.0 / gamma);
-            let sound_speed = a * libm::pow(ratio, 0.5 * (gamma - 1.0) / gamma);
+            let density = outside.density * ratio.powf(1.0 / gamma);
+            let sound_speed = a * ratio.powf(0.5 * (gamma - 1.0) / gamma);
             (density, outside.velocity - a, velocity - sound_speed)
         };
         let inside = GasState {
@@ -116,9 +119,9 @@ impl Wave {
         // Sound speed here / outside; rounding may take it below 0 beside a vacuum.
         let c = (2.0 + (gamma - 1.0) * (outside.velocity - xi) / a) / (gamma + 1.0);
         let c = c.max(0.0);
-        let total = self.gas.total * libm::pow(c, 2.0 * gamma / (gamma - 1.0));
+        let total = self.gas.total * c.powf(2.0 * gamma / (gamma - 1.0));
         GasState {
-            density: outside.density * libm::pow(c, 2.0 / (gamma - 1.0)),
+            density: outside.density * c.powf(2.0 / (gamma - 1.0)),
             velocity: xi + a * c,
             pressure: total - self.gas.pressure_at_infinity,
         }

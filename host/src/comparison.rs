@@ -121,25 +121,33 @@ impl ExactSolution {
                     == place
             };
             let region = scenario.regions.iter().find(touches);
-            let still = region.is_some_and(|region| region.velocity[direction] == 0.0);
-            if *side == Side::Mirror && still {
-                continue;
-            }
-            let speed = |region: &Region| {
+            let Some(region) = region else {
+                return Some(format!("the gas does not reach the {} end", ENDS[end]));
+            };
+            let sound = |region: &Region| {
                 let law = &scenario.materials[region.material].law;
                 let energy = law.energy(region.density, region.pressure);
-                let sound = law.sound_speed_squared(region.density, energy).sqrt();
-                region.velocity[direction].abs() + 3.0 * sound
+                law.sound_speed_squared(region.density, energy).sqrt()
             };
-            let fastest = scenario.regions.iter().map(speed).fold(0.0, f64::max);
+            let inward = [1.0, -1.0][end] * region.velocity[direction];
+            let speed = match side {
+                Side::Mirror if inward == 0.0 => 0.0,
+                // Into a vacuum the gas runs out, and what it feels of that runs in with sound.
+                Side::Free => inward + sound(region),
+                _ => scenario
+                    .regions
+                    .iter()
+                    .map(|region| region.velocity[direction].abs() + 3.0 * sound(region))
+                    .fold(0.0, f64::max),
+            };
             let distance = [
                 window.lower[direction] - place,
                 place - window.upper[direction],
             ][end];
-            if distance < fastest * time || region.is_none() {
-                let name = ["lower", "upper"][end];
+            if distance < speed * time {
                 return Some(format!(
-                    "the {name} end of the domain may be felt in the window"
+                    "the {} end of the domain may be felt in the window",
+                    ENDS[end]
                 ));
             }
         }
@@ -174,6 +182,9 @@ impl ExactSolution {
         ]
     }
 }
+
+/// What the ends of a direction are called.
+const ENDS: [&str; 2] = ["lower", "upper"];
 
 /// The solution of a scenario's Riemann problem, where its two regions meet, and across which
 /// direction.

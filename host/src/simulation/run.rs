@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use motes_core::cutoff::CutOff;
-use motes_core::equation::gas::{Gas, GasDynamics, Physics, Viscosity};
+use motes_core::equation::gas::{Gas, GasDynamics, Physics, Viscosity, Width};
 use motes_core::error::Error;
 use motes_core::integrator::Clock;
 use motes_core::material::{EquationOfState, Named as NamedMaterial};
@@ -158,9 +158,12 @@ where
         })
     }
 
-    /// The first particle with fewer than two neighbours: its density no longer feels the
-    /// spacing, and waves move at wrong speeds.
+    /// The first particle with fewer than two neighbours under a constant ε: its density no
+    /// longer feels the spacing, and waves move at wrong speeds. An adaptive ε looks for them.
     fn watch(&self, gas: &Gas<'_, S, D>, seen: Option<Lonely>) -> Option<Lonely> {
+        if let Width::Adaptive { .. } = self.solver.width {
+            return None;
+        }
         seen.or_else(|| {
             let two = S::count(2);
             let particle = gas

@@ -20,7 +20,8 @@ pub(super) const ROOT: &str = "";
 /// The sections of which a file may have several, numbered from 0.
 pub(super) const LISTS: [&str; 3] = ["region", "material", "deposit"];
 
-const SECTIONS: &[(&str, &[Key])] = &[
+/// Every section with its keys.
+pub(super) const SECTIONS: &[(&str, &[Key])] = &[
     (
         ROOT,
         &[

@@ -12,7 +12,8 @@ use super::{Ball, Extent};
 pub struct Region {
     /// Its place; for a ball the box around it, which may reach out of the domain.
     pub extent: Extent,
-    /// The ball, if it is none of the boxes: it replaces what lies under it.
+    /// The ball, if it is none of the boxes: it replaces what lies under it, and is cut off at
+    /// the sides of the domain, also at periodic ones.
     pub ball: Option<Ball>,
     /// Its substance: a place in the list of materials.
     pub material: usize,

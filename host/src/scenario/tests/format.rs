@@ -558,3 +558,41 @@ fn a_tolerance_needs_a_reason_and_a_norm() {
         &["tolerance.density.l1 = 0.0"],
     );
 }
+
+const PAGE: &str = include_str!("../../../../docs/scenario.md");
+
+#[test]
+fn the_page_names_every_key_and_every_choice() {
+    for (section, keys) in keys::SECTIONS {
+        for key in keys.iter().filter(|_| *section != "tolerance") {
+            let marked = [format!("`{}`", key.name), format!("[{}]", key.name)];
+            let named = marked.iter().any(|marked| PAGE.contains(marked));
+            assert!(
+                named || key.name == "tolerance",
+                "docs/scenario.md lacks {} of [{section}]",
+                key.name
+            );
+        }
+    }
+    let choices = [
+        "mirror periodic free ideal-gas stiffened-gas isothermal tait noh sound-wave yee-vortex",
+        "gresho kelvin-helmholtz equal-mass square hexagonal cubic close-packed sampled glass file",
+        "mass volume number pairwise gingold_monaghan von_neumann limited none leapfrog exact",
+        "total riemann sedov profile reference vtu csv",
+    ];
+    for choice in choices.iter().flat_map(|line| line.split(' ')) {
+        assert!(
+            PAGE.contains(&format!("\"{choice}\"")),
+            "docs/scenario.md lacks {choice}"
+        );
+    }
+}
+
+#[test]
+fn the_example_of_the_page_reads() {
+    let example = PAGE.split("```toml\n").nth(1).unwrap();
+    let scenario = read(example.split("```").next().unwrap());
+    assert_eq!(scenario.regions.len(), 3);
+    assert_eq!(scenario.regions[2].material, 1);
+    assert_eq!(scenario.resolution.share, Share::Volume);
+}

@@ -17,7 +17,7 @@ const CORE: [&str; 10] = [
 ];
 
 /// The layers of the host, lowest first.
-const HOST: [&str; 16] = [
+const HOST: [&str; 17] = [
     "units",
     "engine",
     "exact",
@@ -32,6 +32,7 @@ const HOST: [&str; 16] = [
     "snapshots",
     "benchmark",
     "report",
+    "suite",
     "cli",
     "main",
 ];

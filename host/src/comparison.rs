@@ -20,6 +20,8 @@ pub struct Norms {
     pub linf: f64,
     /// `Σ |err_k| / n`: every particle counts the same.
     pub mean: f64,
+    /// `(Σ err_k² / n)^(1/2)`: likewise.
+    pub rms: f64,
 }
 
 impl Norms {
@@ -30,6 +32,7 @@ impl Norms {
             Norm::L2 => self.l2,
             Norm::Linf => self.linf,
             Norm::Mean => self.mean,
+            Norm::Rms => self.rms,
         }
     }
 }
@@ -74,7 +77,7 @@ impl ExactSolution {
             None => None,
             Some(Exact::Profile) => profile_flow(scenario)?.and_then(|flow| of(flow, None)),
             Some(Exact::Riemann) => {
-                let (solution, interface, normal) = riemann(scenario)?;
+                let (solution, interface, normal) = riemann(scenario, false)?;
                 let flow = RiemannFlow::new(solution, interface, normal)?;
                 of(Box::new(flow), Some((solution, interface)))
             }
@@ -95,6 +98,13 @@ impl ExactSolution {
         let mut edges: Vec<f64> = speeds.map(|speed| interface + speed * time).collect();
         edges.dedup();
         edges
+    }
+
+    /// Place and pressure of the contact of a Riemann problem at a time.
+    pub fn contact(&self, time: f64) -> Option<(f64, f64)> {
+        let (solution, interface) = self.riemann.as_ref()?;
+        let star = solution.star()?;
+        Some((interface + star.velocity * time, star.pressure))
     }
 
     /// Why the comparison may not mean what it says: the solution is that of two gases that
@@ -132,6 +142,11 @@ impl ExactSolution {
             let inward = [1.0, -1.0][end] * region.velocity[direction];
             let speed = match side {
                 Side::Mirror if inward == 0.0 => 0.0,
+                // The two gases meet once more, the other way round.
+                Side::Periodic => match riemann(scenario, true) {
+                    Ok((beyond, ..)) => [beyond.right_wave()[1], -beyond.left_wave()[0]][end],
+                    Err(_) => f64::INFINITY,
+                },
                 // Into a vacuum the gas runs out, and what it feels of that runs in with sound.
                 Side::Free => inward + sound(region),
                 _ => scenario
@@ -187,12 +202,19 @@ impl ExactSolution {
 const ENDS: [&str; 2] = ["lower", "upper"];
 
 /// The solution of a scenario's Riemann problem, where its two regions meet, and across which
-/// direction.
-fn riemann(scenario: &Scenario) -> Result<(RiemannSolution, f64, [f64; 3]), RiemannError> {
+/// direction; `swapped`: with the gases on each other's side.
+fn riemann(
+    scenario: &Scenario,
+    swapped: bool,
+) -> Result<(RiemannSolution, f64, [f64; 3]), RiemannError> {
     let direction = scenario.riemann_direction().unwrap_or(0);
     let mut sides: Vec<_> = scenario.regions.iter().collect();
     let place = |region: &Region| region.extent.lower[direction];
     sides.sort_by(|a, b| place(a).total_cmp(&place(b)));
+    let interface = place(sides[1]);
+    if swapped {
+        sides.reverse();
+    }
     let state = |i: usize| GasState {
         density: sides[i].density,
         velocity: sides[i].velocity[direction],
@@ -217,7 +239,7 @@ fn riemann(scenario: &Scenario) -> Result<(RiemannSolution, f64, [f64; 3]), Riem
     };
     let mut normal = [0.0; 3];
     normal[direction] = 1.0;
-    Ok((problem.solve()?, place(sides[1]), normal))
+    Ok((problem.solve()?, interface, normal))
 }
 
 /// The blast wave of a scenario's deposit.
@@ -267,24 +289,28 @@ pub fn norms(
     scenario: &Scenario,
 ) -> Option<BTreeMap<&'static str, Norms>> {
     let (window, ring) = (&scenario.output.window, scenario.output.ring.as_ref());
-    let mut sums = [(0.0, 0.0, 0.0f64, 0.0); 4];
+    let mut sums = [(0.0, 0.0, 0.0f64, 0.0, 0.0); 4];
     let (mut total, mut count) = (0.0, 0.0);
     for particle in within(particles, window, ring) {
         let volume = particle.mass / particle.density;
         (total, count) = (total + volume, count + 1.0);
         let errors = exact.errors(particle, time);
-        for ((l1, l2, linf, mean), error) in sums.iter_mut().zip(errors) {
+        for ((l1, l2, linf, mean, squares), error) in sums.iter_mut().zip(errors) {
             *l1 += volume * error;
             *l2 += volume * error * error;
             *linf = linf.max(error);
             *mean += error;
+            *squares += error * error;
         }
     }
-    let norms = sums.map(|(l1, l2, linf, mean)| Norms {
-        l1: l1 / total,
-        l2: (l2 / total).sqrt(),
-        linf,
-        mean: mean / count,
-    });
+    let norms = sums.map(
+        |(l1, l2, linf, mean, squares): (f64, f64, f64, f64, f64)| Norms {
+            l1: l1 / total,
+            l2: (l2 / total).sqrt(),
+            linf,
+            mean: mean / count,
+            rms: (squares / count).sqrt(),
+        },
+    );
     (total > 0.0).then(|| FIELDS.into_iter().zip(norms).collect())
 }

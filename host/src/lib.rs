@@ -14,4 +14,5 @@ pub mod scenario;
 pub mod setup;
 pub mod simulation;
 pub mod snapshots;
+pub mod suite;
 pub mod units;

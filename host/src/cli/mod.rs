@@ -4,6 +4,7 @@ mod arguments;
 mod bench;
 mod export;
 mod run;
+mod suite;
 
 use std::io::Write;
 use std::process::ExitCode;
@@ -32,6 +33,7 @@ pub fn main() -> ExitCode {
         Command::List => list(),
         Command::Show { name } => show(&name),
         Command::Export(arguments) => export::export(&arguments),
+        Command::Suite(arguments) => suite::suite(&arguments),
         Command::Bench(arguments) => bench::bench(&arguments),
     };
     let (report, code) = match result {

@@ -42,7 +42,7 @@ pub fn write(out: &Path, experiment: &Experiment) -> Result<(), Report> {
 /// A picture that cannot be drawn.
 pub fn pictures(experiment: &Experiment) -> Result<Vec<(&'static str, String)>, Report> {
     let title = format!(
-        "{}, {} particles, t = {}",
+        "{}, {} particles, t = {:.6}",
         experiment.scenario.name,
         experiment.outcome.particles.len(),
         experiment.outcome.time

@@ -78,6 +78,20 @@ impl Check {
     }
 }
 
+/// The check in a few words, marked where its bound is missed.
+impl std::fmt::Display for Check {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let mark = if self.holds() { "" } else { FAILED };
+        write!(
+            f,
+            "{mark}{} {} ({})",
+            self.what,
+            self.measured(),
+            self.limit()
+        )
+    }
+}
+
 /// How many checks of all rows miss their bound.
 pub fn failures(rows: &[SuiteRow]) -> usize {
     let checks = rows.iter().flat_map(|row| &row.checks);

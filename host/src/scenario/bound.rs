@@ -45,3 +45,9 @@ pub(super) const AMPLITUDE: Bound = Bound {
     cure: "give the relative change of the density, for example 1e-3: from 1 on the density \
            would fall to 0",
 };
+
+pub(super) const THETA: Bound = Bound {
+    need: "> 0 and at most 1",
+    holds: |value| value > 0.0 && value <= 1.0,
+    cure: "1 keeps the number of neighbours; 0.75 lets it grow as the spacing falls",
+};

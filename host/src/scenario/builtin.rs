@@ -11,11 +11,38 @@ pub struct BuiltIn {
     pub text: &'static str,
 }
 
-/// All built-in scenarios, in the order they are listed.
-pub const BUILT_IN: &[BuiltIn] = &[BuiltIn {
-    name: "sod",
-    text: include_str!("../../../scenarios/sod.toml"),
-}];
+macro_rules! built_in {
+    ($($name:literal)*) => {
+        /// All built-in scenarios, in the order they are listed.
+        pub const BUILT_IN: &[BuiltIn] = &[$(BuiltIn {
+            name: $name,
+            text: include_str!(concat!("../../../scenarios/", $name, ".toml")),
+        },)*];
+    };
+}
+built_in! {
+    "sod"
+    "toro2"
+    "toro3"
+    "toro4"
+    "toro5"
+    "noh1d"
+    "woodward-colella"
+    "sound-wave"
+    "two-gas-sod"
+    "water-air"
+    "sod2d"
+    "noh2d"
+    "sedov2d"
+    "yee-vortex"
+    "gresho"
+    "kelvin-helmholtz"
+    "square"
+    "shock-bubble"
+    "sod3d"
+    "noh3d"
+    "sedov3d"
+}
 
 /// The built-in scenario of this name, if there is one.
 pub fn built_in(name: &str) -> Option<&'static BuiltIn> {

@@ -1,6 +1,6 @@
 //! The cut-off: its shape and its width.
 
-use super::bound::POSITIVE;
+use super::bound::{POSITIVE, THETA};
 use super::error::Fault;
 use super::problem::Problem;
 use super::section::Section;
@@ -34,16 +34,31 @@ pub enum CutOffShape {
 /// The width of a cut-off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Width {
-    /// `eps_k = eta (m_k/rho_k)^(1/dimension)`.
+    /// `eps_k = eta h^(theta - 1) (m_k/rho_k)^(1/dimension)`, h the mean spacing at the start
+    /// as a number of the scenario's unit of length: `eps = eta h^theta` where the gas is even.
     Adaptive {
-        /// In mean spacings, > 0.
+        /// > 0; in mean spacings where theta is 1.
         eta: f64,
+        /// In (0, 1]. Below 1 finer clouds have more neighbours, without which their error
+        /// stalls (Theorem 1).
+        theta: f64,
     },
     /// The same for all particles and times.
     Constant {
         /// A length, > 0.
         epsilon: f64,
     },
+}
+
+impl Width {
+    /// ε in spacings for an even gas of spacing `h`; 1 for a width that is given.
+    pub fn spacings(&self, h: f64) -> f64 {
+        match *self {
+            Self::Adaptive { eta, theta } if theta < 1.0 => eta * libm::pow(h, theta - 1.0),
+            Self::Adaptive { eta, .. } => eta,
+            Self::Constant { .. } => 1.0,
+        }
+    }
 }
 
 const SHAPES: &[(&str, CutOffShape)] = &[
@@ -61,10 +76,19 @@ pub(super) fn cut_off(section: &Section<'_>) -> Result<CutOff, Fault> {
     let width = match (section.optional("eta"), section.optional("epsilon")) {
         (Some(eta), None) => Width::Adaptive {
             eta: eta.number(POSITIVE)?,
+            theta: section
+                .optional("theta")
+                .map_or(Ok(1.0), |theta| theta.number(THETA))?,
         },
-        (None, Some(epsilon)) => Width::Constant {
-            epsilon: epsilon.number(POSITIVE)?,
-        },
+        (None, Some(epsilon)) => {
+            if let Some(theta) = section.optional("theta") {
+                let reason = "epsilon is a width of its own".to_owned();
+                return Err(theta.does_not_fit(reason, "give eta with theta, or epsilon alone"));
+            }
+            Width::Constant {
+                epsilon: epsilon.number(POSITIVE)?,
+            }
+        }
         (Some(_), Some(epsilon)) => return Err(epsilon.fault(Problem::Width { both: true })),
         (None, None) => return Err(Fault::new(Problem::Width { both: false }, section.span())),
     };

@@ -126,6 +126,7 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
         &[
             key("name", "name = \"cubic-spline\""),
             key("eta", "eta = 1.2"),
+            key("theta", "theta = 0.75"),
             key("epsilon", "epsilon = 0.01"),
         ],
     ),
@@ -212,6 +213,7 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
             key("l2", "l2 = 0.01"),
             key("linf", "linf = 0.1"),
             key("mean", "mean = 0.0035"),
+            key("rms", "rms = 0.01"),
             key("reason", "reason = \"1.05 of what 900 particles give\""),
         ],
     ),

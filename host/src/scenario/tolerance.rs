@@ -42,6 +42,8 @@ pub enum Norm {
     Linf,
     /// Mean over the particles.
     Mean,
+    /// Root of the mean square over the particles.
+    Rms,
 }
 
 impl Field {
@@ -71,11 +73,12 @@ const FIELDS: [(&str, Field); 4] = [
     ("energy", Field::Energy),
 ];
 
-const NORMS: [(&str, Norm); 4] = [
+const NORMS: [(&str, Norm); 5] = [
     ("l1", Norm::L1),
     ("l2", Norm::L2),
     ("linf", Norm::Linf),
     ("mean", Norm::Mean),
+    ("rms", Norm::Rms),
 ];
 
 /// `[tolerance]`: those of each field in the order of [`FIELDS`] and [`NORMS`].

@@ -26,7 +26,11 @@ pub enum PlanError {
     #[error(
         "eta = {eta} makes the cut-off `{cut_off}` reach {reach} spacings: need {least} to {most}"
     )]
-    #[diagnostic(help("set cut-off.eta between {} and {}", least / support, most / support))]
+    #[diagnostic(help(
+        "set cut-off.eta between {} and {} (with theta: eta h^(theta-1))",
+        least / support,
+        most / support
+    ))]
     Reach {
         /// Width in spacings.
         eta: f64,
@@ -64,10 +68,10 @@ impl Plan {
     pub fn new(scenario: &Scenario) -> Result<Self, PlanError> {
         let particles = scenario.resolution.particles.min(setup::LARGEST);
         check_memory(particles, size_of::<Placed>()).map_err(PlanError::Memory)?;
-        check_reach(scenario)?;
         let placed = setup::particles(scenario)?;
         let units = units(scenario, &placed);
         check_units(&units)?;
+        check_reach(scenario, units.length)?;
         let middle = std::array::from_fn(|i| {
             let bounds = bounds(scenario, i);
             0.5 * (bounds[0] + bounds[1])
@@ -141,6 +145,11 @@ struct Frame<'a> {
 }
 
 impl Frame<'_> {
+    /// ε in local spacings; 1 where it is given as a length.
+    fn eta(&self) -> f64 {
+        self.scenario.cut_off.width.spacings(self.units.length)
+    }
+
     fn axes(&self) -> [Axis<f64>; 3] {
         std::array::from_fn(|i| {
             let bounds = bounds(self.scenario, i);
@@ -162,7 +171,7 @@ impl Frame<'_> {
 
     fn width(&self) -> Width<f64> {
         match self.scenario.cut_off.width {
-            scenario::Width::Adaptive { eta } => Width::Adaptive { eta },
+            scenario::Width::Adaptive { .. } => Width::Adaptive { eta: self.eta() },
             scenario::Width::Constant { epsilon } => Width::Constant {
                 epsilon: epsilon / self.units.length,
             },
@@ -243,16 +252,12 @@ impl Frame<'_> {
             2 => volume.sqrt(),
             _ => libm::cbrt(volume),
         };
-        let eta = match self.scenario.cut_off.width {
-            scenario::Width::Adaptive { eta } => eta,
-            scenario::Width::Constant { .. } => 1.0,
-        };
         Particle {
             position: std::array::from_fn(|i| (placed.position[i] - self.middle[i]) / units.length),
             velocity: placed.velocity.map(|component| component / units.velocity),
             mass: placed.mass / units.mass,
             energy: placed.energy / units.energy(),
-            epsilon: eta * (spacing / units.length),
+            epsilon: self.eta() * (spacing / units.length),
             material: placed.material,
         }
     }
@@ -294,10 +299,7 @@ impl Frame<'_> {
 
     /// The particles of stretches, as a device makes them.
     fn of_stretches(&self, stretches: &[Stretch]) -> Vec<Particle<f64, 3>> {
-        let eta = match self.width() {
-            Width::Adaptive { eta } => eta,
-            Width::Constant { .. } => 1.0,
-        };
+        let eta = self.eta();
         let particles = stretches.iter().flat_map(|stretch| stretch.particles(eta));
         particles
             .map(|particle| Particle {
@@ -317,10 +319,11 @@ impl Frame<'_> {
 const REACH: [f64; 2] = [1.5, 40.0];
 
 /// Refuses an η with which particles would see nobody, or everybody.
-fn check_reach(scenario: &Scenario) -> Result<(), PlanError> {
-    let scenario::Width::Adaptive { eta } = scenario.cut_off.width else {
+fn check_reach(scenario: &Scenario, spacing: f64) -> Result<(), PlanError> {
+    if let scenario::Width::Constant { .. } = scenario.cut_off.width {
         return Ok(());
-    };
+    }
+    let eta = scenario.cut_off.width.spacings(spacing);
     let cut_off = named(scenario.cut_off.shape);
     let support = f64::from(cut_off.support());
     let ([least, most], reach) = (REACH, eta * support);

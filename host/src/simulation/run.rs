@@ -216,7 +216,7 @@ where
     /// One row of the time series.
     fn sample(&self, gas: &Gas<'_, S, D>, dt: S) -> Sample {
         let rows = self.rows(gas);
-        let sum = |of: &dyn Fn(&ParticleRow) -> f64| rows.iter().map(of).sum::<f64>();
+        let sum = |of: &dyn Fn(&ParticleRow) -> f64| compensated(rows.iter().map(of));
         let pull = self.external();
         let kinetic = |p: &ParticleRow| 0.5 * p.mass * p.speed() * p.speed();
         let lift = |p: &ParticleRow| -> f64 {
@@ -270,4 +270,20 @@ where
             energy: (last.energy - first.energy) / first.energy,
         }
     }
+}
+
+/// A sum without the rounding of its length (Neumaier, Z. Angew. Math. Mech. 54, 39, 1974): of
+/// what is conserved to round-off only the drift is to be seen.
+fn compensated(values: impl Iterator<Item = f64>) -> f64 {
+    let (mut sum, mut lost) = (0.0f64, 0.0);
+    for value in values {
+        let next = sum + value;
+        lost += if sum.abs() >= value.abs() {
+            (sum - next) + value
+        } else {
+            (value - next) + sum
+        };
+        sum = next;
+    }
+    sum + lost
 }

@@ -70,7 +70,13 @@ fn the_built_in_sod_tube_reads_as_published() {
         EquationOfState::IdealGas { gamma: 1.4 }
     );
     assert_eq!(sod.cut_off.shape, CutOffShape::CubicSpline);
-    assert_eq!(sod.cut_off.width, Width::Adaptive { eta: 1.2 });
+    assert_eq!(
+        sod.cut_off.width,
+        Width::Adaptive {
+            eta: 1.0,
+            theta: 1.0
+        }
+    );
     assert_eq!(sod.resolution.particles, 900);
     assert_eq!((sod.time.end, sod.time.courant), (0.2, 0.3));
     assert_eq!(sod.output.exact, Some(Exact::Riemann));

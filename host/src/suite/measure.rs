@@ -1,0 +1,242 @@
+//! What is measured of a run beside its errors against the exact solution.
+
+use crate::exact::kelvin_helmholtz::{GROWTH_RATE, ModeSample, mode_amplitude};
+use crate::experiment::Experiment;
+use crate::report::suite::Check;
+use crate::scenario::Norm;
+use crate::simulation::{Look, ScalarName};
+
+/// What is measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Measure {
+    /// The relative drift of the total energy, in f64.
+    EnergyDrift {
+        /// The most.
+        most: f64,
+        /// Why.
+        reason: &'static str,
+    },
+    /// The largest relative deviation of the pressure around the contact of a Riemann problem.
+    ContactBlip {
+        /// Half of the stretch that is looked at.
+        within: f64,
+        /// The most.
+        most: f64,
+        /// Why.
+        reason: &'static str,
+    },
+    /// The relative error of the radius of a round shock: where the mean pressure around the
+    /// centre falls through half of its highest value.
+    ShockRadius {
+        /// The exact radius.
+        radius: f64,
+        /// The most.
+        most: f64,
+        /// Why.
+        reason: &'static str,
+    },
+    /// The relative error of the growth rate of the Kelvin-Helmholtz mode.
+    Growth {
+        /// The most.
+        most: f64,
+        /// Why.
+        reason: &'static str,
+    },
+    /// How far the corners of the square have receded, in spacings.
+    Corners {
+        /// The most.
+        most: f64,
+        /// Why.
+        reason: &'static str,
+    },
+    /// The order at which an error falls with the spacing: the slope of a straight line.
+    Order {
+        /// Of which field.
+        field: &'static str,
+        /// In which norm.
+        norm: Norm,
+        /// Numbers of particles, at least two.
+        particles: &'static [usize],
+        /// The least.
+        least: f64,
+        /// Why.
+        reason: &'static str,
+    },
+}
+
+impl Measure {
+    /// The check of a run; `None` where it does not apply to the scalar.
+    pub(super) fn check(
+        &self,
+        experiment: &Experiment,
+        growth: &Amplitudes,
+        scalar: ScalarName,
+    ) -> Option<Check> {
+        let (what, measured, bound, reason) = match *self {
+            Self::EnergyDrift { most, reason } => {
+                if scalar != ScalarName::F64 {
+                    return None;
+                }
+                let drift = experiment.outcome.drift.energy.abs();
+                ("energy drift", drift, most, reason)
+            }
+            Self::ContactBlip {
+                within,
+                most,
+                reason,
+            } => ("pressure blip", blip(experiment, within), most, reason),
+            Self::ShockRadius {
+                radius,
+                most,
+                reason,
+            } => {
+                let error = (shock_radius(experiment) / radius - 1.0).abs();
+                ("shock radius", error, most, reason)
+            }
+            Self::Growth { most, reason } => {
+                let error = (growth.rate() / GROWTH_RATE - 1.0).abs();
+                ("growth rate", error, most, reason)
+            }
+            Self::Corners { most, reason } => ("corners", corners(experiment), most, reason),
+            Self::Order { .. } => return None,
+        };
+        Some(Check {
+            what: what.to_owned(),
+            measured,
+            bound,
+            reason: reason.to_owned(),
+            lower: false,
+        })
+    }
+}
+
+/// The slope of `ln error` over `ln spacing`, by least squares.
+pub(super) fn order(errors: &[(f64, f64)]) -> f64 {
+    let points: Vec<(f64, f64)> = errors.iter().map(|(h, e)| (h.ln(), e.ln())).collect();
+    let n = points.len() as f64;
+    let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / n;
+    let (x, y) = (mean(|p| p.0), mean(|p| p.1));
+    let (mut above, mut below) = (0.0, 0.0);
+    for (a, b) in &points {
+        above += (a - x) * (b - y);
+        below += (a - x) * (a - x);
+    }
+    above / below
+}
+
+/// `max |p/p* - 1|` over the particles near the contact.
+fn blip(experiment: &Experiment, within: f64) -> f64 {
+    let (Some(exact), outcome) = (&experiment.exact, &experiment.outcome) else {
+        return f64::NAN;
+    };
+    let Some((contact, pressure)) = exact.contact(outcome.time) else {
+        return f64::NAN;
+    };
+    let near = |x: f64| (x - contact).abs() <= within;
+    outcome
+        .particles
+        .iter()
+        .filter(|particle| near(particle.position[0]))
+        .map(|particle| (particle.pressure / pressure - 1.0).abs())
+        .fold(0.0, f64::max)
+}
+
+/// Where the mean pressure on rings of one spacing falls through half of its maximum.
+fn shock_radius(experiment: &Experiment) -> f64 {
+    let outcome = &experiment.outcome;
+    let dimension = experiment.scenario.dimension as f64;
+    let volume: f64 = outcome.particles.iter().map(|p| p.mass / p.density).sum();
+    let spacing = (volume / outcome.particles.len() as f64).powf(1.0 / dimension);
+    let radius = |x: &[f64; 3]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let mut rings: Vec<(f64, f64)> = Vec::new();
+    for particle in &outcome.particles {
+        let ring = (radius(&particle.position) / spacing) as usize;
+        if ring >= rings.len() {
+            rings.resize(ring + 1, (0.0, 0.0));
+        }
+        rings[ring].0 += particle.pressure;
+        rings[ring].1 += 1.0;
+    }
+    let means: Vec<f64> = rings.iter().map(|(sum, n)| sum / n.max(1.0)).collect();
+    let Some(peak) = (0..means.len()).max_by(|&a, &b| means[a].total_cmp(&means[b])) else {
+        return f64::NAN;
+    };
+    let half = 0.5 * means[peak];
+    let centre = |ring: usize| (ring as f64 + 0.5) * spacing;
+    (peak + 1..means.len())
+        .find(|&ring| means[ring] < half)
+        .map_or(f64::NAN, |ring| {
+            let (above, below) = (means[ring - 1], means[ring]);
+            centre(ring - 1) + (above - half) / (above - below) * spacing
+        })
+}
+
+/// The largest distance of a corner of the square from the nearest particle of it, in
+/// spacings, less half a diagonal: where the lattice put that particle.
+fn corners(experiment: &Experiment) -> f64 {
+    let square = &experiment.scenario.regions[0].extent;
+    let particles = &experiment.outcome.particles;
+    let spacing = (1.0 / particles.len() as f64).sqrt();
+    let mut largest = 0.0f64;
+    for x in [square.lower[0], square.upper[0]] {
+        for y in [square.lower[1], square.upper[1]] {
+            let nearest = particles
+                .iter()
+                .filter(|particle| particle.material == 0)
+                .map(|p| (p.position[0] - x).hypot(p.position[1] - y))
+                .fold(f64::INFINITY, f64::min);
+            largest = largest.max(nearest / spacing - 0.5f64.sqrt());
+        }
+    }
+    largest
+}
+
+/// The amplitude of the Kelvin-Helmholtz mode over time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Amplitudes(Vec<(f64, f64)>);
+
+/// The time in which the mode grows exponentially, as the reference is fitted.
+const LINEAR_PHASE: [f64; 2] = [0.6, 1.2];
+
+impl Amplitudes {
+    /// Adds the amplitude of now.
+    pub(super) fn add(&mut self, look: &Look<'_>) {
+        let due = self.0.last().is_none_or(|last| look.time >= last.0 + 0.02);
+        if !due || look.time < LINEAR_PHASE[0] || look.time > LINEAR_PHASE[1] {
+            return;
+        }
+        let rows = (look.particles)();
+        let samples = rows.iter().map(|row| ModeSample {
+            position: [row.position[0], row.position[1]],
+            velocity_y: row.velocity[1],
+            volume: row.mass / row.density,
+        });
+        if let Some(amplitude) = mode_amplitude(samples) {
+            self.0.push((look.time, amplitude));
+        }
+    }
+
+    /// The slope of `ln M` over time, by least squares.
+    fn rate(&self) -> f64 {
+        let points: Vec<(f64, f64)> = self.0.iter().map(|(t, m)| (t.exp(), *m)).collect();
+        order(&points)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_order_is_the_slope_of_a_power_law() {
+        let errors = [0.1, 0.05, 0.025].map(|h: f64| (h, 3.0 * h.powf(1.5)));
+        assert!((order(&errors) - 1.5).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_rate_is_that_of_an_exponential() {
+        let samples = (0..10).map(|i| f64::from(i) * 0.1);
+        let growth = Amplitudes(samples.map(|t| (t, 0.01 * (2.5 * t).exp())).collect());
+        assert!((growth.rate() - 2.5).abs() < 1e-12);
+    }
+}

@@ -263,6 +263,7 @@ fn records_survive_the_way_through_lanes() {
     use motes_core::scalar::Lanes;
     let node = |x: f64| GasNode {
         mass: x,
+        measure: x + 0.05,
         pressure: x + 0.1,
         gradient: x + 0.2,
         scale: x + 0.3,

@@ -18,7 +18,7 @@ use motes_core::cutoff::Named;
 use motes_core::domain::{Axis, Side};
 use motes_core::equation::gas::viscosity::{self, Coefficients, GingoldMonaghan};
 use motes_core::equation::gas::viscosity::{Pairwise, VonNeumann};
-use motes_core::equation::gas::{Gas, Particle, Width};
+use motes_core::equation::gas::{Gas, Options, Particle, Width};
 use motes_core::pairs::{HalfLoop, PlainLoop};
 use motes_core::scalar::{Micro, Q32, Q64, Scalar};
 
@@ -365,7 +365,7 @@ impl Survey {
         let particles = case.particles::<S>();
         let found = case.problem::<S>().solve(&bodies(&particles));
         for plain in [true, false] {
-            let mut arrays = GasArrays::new(particles.iter().copied());
+            let mut arrays = GasArrays::new(particles.iter().copied(), &Options::OFF);
             let (mut gas, mut work) = arrays.parts();
             for stage in [
                 Stage::first::<S>(case.adaptive),
@@ -484,7 +484,7 @@ fn epsilon_does_not_depend_on_the_guess() {
             epsilon: guess,
             ..particle
         });
-        let mut arrays = GasArrays::new(guessed);
+        let mut arrays = GasArrays::new(guessed, &Options::OFF);
         let (mut gas, mut work) = arrays.parts();
         let prepared = case.solver().prepare(&mut PlainLoop, &mut gas, &mut work);
         assert_eq!(prepared, Ok(()), "{guess}");
@@ -500,7 +500,7 @@ fn off_by_its_root<const D: usize>(case: &Case<D>) {
     let bodies = bodies(&particles);
     let mut problem = case.problem::<Micro>();
     let found = problem.solve(&bodies);
-    let mut arrays = GasArrays::new(particles);
+    let mut arrays = GasArrays::new(particles, &Options::OFF);
     let (mut gas, mut work) = arrays.parts();
     let prepared = (case.solver()).prepare(&mut HalfLoop, &mut gas, &mut work);
     assert_eq!(prepared, Ok(()), "{case:?}");
@@ -576,7 +576,7 @@ fn leap_frog<const D: usize>(case: &Case<D>) {
     let before = problem.solve(&bodies);
     let step = problem.advance(&mut bodies, &before, dt);
 
-    let mut arrays = GasArrays::new(particles);
+    let mut arrays = GasArrays::new(particles, &Options::OFF);
     let (mut gas, mut work) = arrays.parts();
     for _ in 0..2 {
         assert_eq!(

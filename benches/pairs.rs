@@ -14,8 +14,8 @@ use motes::engine::{GrowingList, HostScalar, InstructionSet, Threads};
 use motes::simulation::GasArrays;
 use motes_core::cutoff::CubicSpline;
 use motes_core::domain::{Axis, Domain};
-use motes_core::equation::gas::Width;
 use motes_core::equation::gas::density::{Density, DensityNode, DensitySums};
+use motes_core::equation::gas::{Options, Width};
 use motes_core::error::Error;
 use motes_core::neighbours::{Cells, sort};
 use motes_core::pairs::{Engine, Fields, HalfLoop, Law, PlainLoop, Portable, Settled, lanes};
@@ -77,7 +77,7 @@ impl<S: HostScalar, const D: usize> Sum<'_, S, D> {
 fn with_sum<S: HostScalar, const D: usize>(case: Case, then: impl FnOnce(Sum<'_, S, D>)) {
     let particles = jittered::<S, D>(case);
     let positions: Vec<_> = particles.iter().map(|particle| particle.position).collect();
-    let mut arrays = GasArrays::<S, D>::new(particles);
+    let mut arrays = GasArrays::<S, D>::new(particles, &Options::OFF);
     let (_, mut work) = arrays.parts();
     let side = S::from_f64(case.per_side as f64);
     let domain = Domain {

@@ -7,7 +7,7 @@ use fixed::types::extra::U19;
 use motes_core::cutoff::CubicSpline;
 use motes_core::domain::{Axis, Domain};
 use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
-use motes_core::equation::gas::{GasDynamics, GasStorage, Stretch, Width};
+use motes_core::equation::gas::{GasDynamics, GasStorage, Plain, Stretch, Width};
 use motes_core::error::Error;
 use motes_core::material::IdealGas;
 use motes_core::neighbours::cell_bound;
@@ -27,6 +27,7 @@ static STORAGE: Mutex<GasStorage<S, 1, N, CELLS>> = Mutex::new(GasStorage::new()
 /// pressure at the right end.
 fn simulate(storage: &mut GasStorage<S, 1, N, CELLS>, steps: u32) -> Result<S, Error> {
     let number = S::from_f64;
+    let materials = [IdealGas::new(1.4)];
     let solver = GasDynamics {
         domain: Domain {
             axes: [Axis::walls(number(-32.0), number(32.0))],
@@ -37,30 +38,28 @@ fn simulate(storage: &mut GasStorage<S, 1, N, CELLS>, steps: u32) -> Result<S, E
             alpha: S::ONE,
             beta: number(2.0),
         }),
-        equation_of_state: IdealGas::new(1.4),
+        materials: &materials,
+        physics: Plain::DEFAULT,
         courant: number(0.3),
         smallest_omega: number(0.03),
     };
     let cold = Stretch {
-        lower: S::ZERO,
-        upper: number(32.0),
+        lower: 0.0,
+        upper: 32.0,
         particles: 32,
-        mass: S::ONE,
-        velocity: S::ZERO,
-        energy: number(1.8),
+        mass: 1.0,
+        velocity: 0.0,
+        energy: 1.8,
     };
     let hot = Stretch {
-        lower: number(-32.0),
-        upper: S::ZERO,
-        energy: number(3.6),
+        lower: -32.0,
+        upper: 0.0,
+        energy: 3.6,
         ..cold
     };
     storage.clear();
-    for particle in hot
-        .particles(number(1.2))
-        .chain(cold.particles(number(1.2)))
-    {
-        storage.push(particle)?;
+    for particle in hot.particles(1.2).chain(cold.particles(1.2)) {
+        storage.push(particle.rounded())?;
     }
     let (mut gas, mut work) = storage.parts();
     solver.prepare(&mut HalfLoop, &mut gas, &mut work)?;

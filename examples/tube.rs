@@ -10,7 +10,7 @@ use motes_core::{neighbours::cell_bound, pairs::HalfLoop};
 const N: usize = 225;
 const CELLS: usize = cell_bound(N as u32) as usize + 1;
 
-const LEFT: Stretch<f64> = Stretch {
+const LEFT: Stretch = Stretch {
     lower: -100.0,
     upper: 0.0,
     particles: 200,
@@ -35,12 +35,14 @@ fn main() -> Result<(), Error> {
         courant: 0.3,
         end: 25.0,
     };
+    let materials = [tube.material()];
     let solver = tube.solver(
         CubicSpline,
         Pairwise(Coefficients {
             alpha: 1.0,
             beta: 2.0,
         }),
+        &materials,
     );
     let mut storage = GasStorage::<f64, 1, N, CELLS>::new();
     tube.particles()

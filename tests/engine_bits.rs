@@ -2,14 +2,16 @@
 
 mod clouds;
 
-use clouds::{Cloud, sides};
+use clouds::{Cloud, Following, sides};
 use fixed::types::extra::{U19, U32};
 use motes::engine::{GrowingList, HostScalar, InstructionSet, Threads};
 use motes_core::cutoff::{CubicSpline, CutOff, QuinticSpline, RootFree};
 use motes_core::digest::Digest;
 use motes_core::domain::Side;
 use motes_core::equation::gas::viscosity::{Coefficients, GingoldMonaghan, Pairwise, VonNeumann};
-use motes_core::equation::gas::{Viscosity, Width};
+use motes_core::equation::gas::{
+    Diffusion, EnergyForm, Options, Physics, Plain, Switch, Viscosity, Weights, Width,
+};
 use motes_core::error::Error;
 use motes_core::neighbours::Cells;
 use motes_core::pairs::{Engine, Fields, HalfLoop, Law, PlainLoop, Portable, Settled, lanes};
@@ -65,14 +67,61 @@ impl<S: Scalar, const D: usize, const L: usize> Engine<S, D> for LaneLoop<L> {
     }
 }
 
-/// The digest after `steps` steps, and of the smallest and largest neighbour counts.
-fn run<S: Scalar, const D: usize, C: CutOff, V: Viscosity<S>>(
+/// A law, and the options that its arrays are made for.
+trait Case<S: Scalar, const D: usize>: Physics<S, D> + std::fmt::Debug {
+    fn options(&self) -> Options<S, D>;
+}
+
+impl<S: Scalar, const D: usize> Case<S, D> for Plain<S, D> {
+    fn options(&self) -> Options<S, D> {
+        Options::OFF
+    }
+}
+
+impl<S: Scalar, const D: usize> Case<S, D> for Options<S, D> {
+    fn options(&self) -> Options<S, D> {
+        *self
+    }
+}
+
+const FORMS: [EnergyForm; 3] = [EnergyForm::Exact, EnergyForm::Total, EnergyForm::LeapFrog];
+const WEIGHTS: [Weights; 2] = [Weights::Mass, Weights::Number];
+
+/// Either weights, without external forces.
+fn plain<S: Scalar, const D: usize>(by_number: bool) -> Plain<S, D> {
+    Plain {
+        weights: WEIGHTS[usize::from(by_number)],
+        ..Plain::DEFAULT
+    }
+}
+
+/// Everything on, with one of the [`FORMS`] of the energy; no external forces.
+fn everything<S: Scalar, const D: usize>(form: usize, by_number: bool) -> Options<S, D> {
+    Options {
+        plain: plain(by_number),
+        energy: FORMS[form],
+        limited: true,
+        switch: Some(Switch {
+            minimum: S::from_f64(0.05),
+            decay: S::from_f64(0.2),
+        }),
+        balsara: true,
+        conduction: S::from_f64(0.75),
+        diffusion: Diffusion {
+            viscosity: S::from_f64(0.05),
+            heat: S::from_f64(0.08),
+        },
+    }
+}
+
+/// The digest of a cloud of two materials after `steps` steps.
+fn run<S: Scalar, const D: usize, C: CutOff, V: Viscosity<S>, P: Case<S, D>>(
     cloud: &Cloud,
-    solver: &clouds::Solver<S, C, V, D>,
+    solver: &Following<S, C, V, P, D>,
     engine: &mut impl Engine<S, D>,
     steps: usize,
 ) -> Result<Digest, Error> {
-    let mut arrays = cloud.arrays::<S, D>();
+    let mut arrays = cloud.arrays_of_two::<S, D>(&solver.physics.options());
     let (mut gas, mut work) = arrays.parts();
     solver.prepare(engine, &mut gas, &mut work)?;
     for _ in 0..steps {
@@ -83,8 +132,9 @@ fn run<S: Scalar, const D: usize, C: CutOff, V: Viscosity<S>>(
 }
 
 /// All engines on one cloud.
-fn all_engines_agree<S: HostScalar, const D: usize, C: CutOff, V: Viscosity<S>>(
+fn all_engines_agree<S: HostScalar, const D: usize, C: CutOff, V: Viscosity<S>, P: Case<S, D>>(
     cloud: &Cloud,
+    physics: P,
     sides: [[Side; 2]; D],
     cut_off: C,
     viscosity: V,
@@ -92,16 +142,16 @@ fn all_engines_agree<S: HostScalar, const D: usize, C: CutOff, V: Viscosity<S>>(
     let width = Width::Adaptive {
         eta: S::from_f64(cloud.eta),
     };
-    let solver = cloud.solver(sides, cut_off, width, viscosity);
+    let solver = cloud.following(physics, sides, cut_off, width, viscosity);
     let steps = 3;
     let plain = run(cloud, &solver, &mut PlainLoop, steps);
-    assert!(plain.is_ok(), "{plain:?} on {cloud:?} with {sides:?}");
     let context = || {
         format!(
-            "{} in {D}D, {cloud:?}, {sides:?}",
+            "{} in {D}D, {cloud:?}, {sides:?}, {physics:?}",
             std::any::type_name::<S>()
         )
     };
+    assert!(plain.is_ok(), "{plain:?}: {}", context());
     assert_eq!(
         plain,
         run(cloud, &solver, &mut HalfLoop, steps),
@@ -159,48 +209,121 @@ fn cloud(per_side: usize, seed: u64) -> Cloud {
 }
 
 macro_rules! every_dimension {
-    ($name:ident, $scalar:ty, $cases:expr) => {
+    ($name:ident, $scalar:ty, $cases:expr, |$form:ident, $by_number:ident| $physics:expr) => {
         proptest! {
             #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases($cases) })]
             #[test]
-            fn $name(seed in 1u64.., kind in 0usize..125) {
+            fn $name(
+                seed in 1u64..,
+                kind in 0usize..125,
+                $form in 0..FORMS.len(),
+                $by_number in any::<bool>(),
+            ) {
+                let _ = $form;
                 let viscosity = pairwise::<$scalar>();
-                all_engines_agree::<$scalar, 1, _, _>(
-                    &cloud(60, seed), sides(kind), CubicSpline, viscosity);
-                all_engines_agree::<$scalar, 2, _, _>(
-                    &cloud(14, seed), sides(kind), CubicSpline, viscosity);
-                all_engines_agree::<$scalar, 3, _, _>(
-                    &solid(seed), sides(kind), CubicSpline, viscosity);
+                all_engines_agree::<$scalar, 1, _, _, _>(
+                    &cloud(60, seed), $physics, sides(kind), CubicSpline, viscosity);
+                all_engines_agree::<$scalar, 2, _, _, _>(
+                    &cloud(14, seed), $physics, sides(kind), CubicSpline, viscosity);
+                all_engines_agree::<$scalar, 3, _, _, _>(
+                    &solid(seed), $physics, sides(kind), CubicSpline, viscosity);
             }
         }
     };
 }
-every_dimension!(all_loops_give_the_same_bits_in_f64, f64, 24);
-every_dimension!(all_loops_give_the_same_bits_in_f32, f32, 24);
-every_dimension!(all_loops_give_the_same_bits_in_q12_19, Q32<U19>, 8);
-every_dimension!(all_loops_give_the_same_bits_in_q31_32, Q64<U32>, 4);
-every_dimension!(
-    all_loops_give_the_same_bits_in_the_approximate_scalar,
+
+macro_rules! every_law {
+    ($scalar:ty, $cases:expr, $plain:ident, $options:ident) => {
+        every_dimension!($plain, $scalar, $cases, |form, by_number| plain(by_number));
+        every_dimension!($options, $scalar, $cases, |form, by_number| everything(
+            form, by_number
+        ));
+    };
+}
+every_law!(
+    f64,
+    24,
+    all_loops_give_the_same_bits_in_f64,
+    all_loops_give_the_same_bits_with_all_options_in_f64
+);
+every_law!(
+    f32,
+    24,
+    all_loops_give_the_same_bits_in_f32,
+    all_loops_give_the_same_bits_with_all_options_in_f32
+);
+every_law!(
+    Q32<U19>,
+    8,
+    all_loops_give_the_same_bits_in_q12_19,
+    all_loops_give_the_same_bits_with_all_options_in_q12_19
+);
+every_law!(
+    Q64<U32>,
+    6,
+    all_loops_give_the_same_bits_in_q31_32,
+    all_loops_give_the_same_bits_with_all_options_in_q31_32
+);
+every_law!(
     Micro,
-    8
+    8,
+    all_loops_give_the_same_bits_in_the_approximate_scalar,
+    all_loops_give_the_same_bits_with_all_options_in_the_approximate_scalar
 );
 
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(12) })]
     #[test]
-    fn every_viscosity_keeps_the_bits(seed in 1u64.., kind in 0usize..25) {
+    fn every_viscosity_keeps_the_bits(
+        seed in 1u64..,
+        kind in 0usize..25,
+        form in 0..FORMS.len(),
+        by_number in any::<bool>(),
+    ) {
         let c = Coefficients { alpha: 1.0f32, beta: 2.0 };
-        all_engines_agree::<f32, 2, _, _>(&cloud(14, seed), sides(kind), CubicSpline, VonNeumann(c));
-        let gingold = GingoldMonaghan(c);
-        all_engines_agree::<f32, 2, _, _>(&cloud(14, seed), sides(kind), CubicSpline, gingold);
+        let (plain, all) = (plain(by_number), everything(form, by_number));
+        let (neumann, gingold) = (VonNeumann(c), GingoldMonaghan(c));
+        let cloud = cloud(14, seed);
+        all_engines_agree::<f32, 2, _, _, _>(&cloud, plain, sides(kind), CubicSpline, neumann);
+        all_engines_agree::<f32, 2, _, _, _>(&cloud, plain, sides(kind), CubicSpline, gingold);
+        all_engines_agree::<f32, 2, _, _, _>(&cloud, all, sides(kind), CubicSpline, neumann);
+        all_engines_agree::<f32, 2, _, _, _>(&cloud, all, sides(kind), CubicSpline, gingold);
+    }
+
+    /// Each option alone: what the others would hide must show.
+    #[test]
+    fn every_option_alone_keeps_the_bits(
+        seed in 1u64..,
+        kind in 0usize..25,
+        which in 0usize..7,
+        form in 0..FORMS.len(),
+    ) {
+        let all = everything::<f32, 2>(form, false);
+        let mut one = Options { energy: FORMS[form], ..Options::OFF };
+        match which {
+            0 => one.limited = true,
+            1 => one.switch = all.switch,
+            2 => one.balsara = true,
+            3 => one.conduction = all.conduction,
+            4 => one.diffusion.viscosity = all.diffusion.viscosity,
+            5 => one.diffusion.heat = all.diffusion.heat,
+            // With nothing on at all the arrays would be made for `Plain`.
+            _ => one.energy = FORMS[form % 2],
+        }
+        one.plain.acceleration = [0.01, -0.02];
+        all_engines_agree::<f32, 2, _, _, _>(
+            &cloud(14, seed), one, sides(kind), CubicSpline, pairwise());
     }
 
     #[test]
     fn wide_and_root_free_cut_offs_keep_the_bits(seed in 1u64.., kind in 0usize..25) {
-        all_engines_agree::<f64, 2, _, _>(
-            &cloud(19, seed), sides(kind), QuinticSpline, pairwise());
-        let root_free = Cloud { eta: 2.4, ..cloud(14, seed) };
-        all_engines_agree::<f64, 2, _, _>(&root_free, sides(kind), RootFree::<4>, pairwise());
+        let (paper, all) = (plain(false), everything(0, false));
+        let wide = cloud(19, seed);
+        all_engines_agree::<f64, 2, _, _, _>(&wide, paper, sides(kind), QuinticSpline, pairwise());
+        all_engines_agree::<f64, 2, _, _, _>(&wide, all, sides(kind), QuinticSpline, pairwise());
+        let free = Cloud { eta: 2.4, ..cloud(14, seed) };
+        all_engines_agree::<f64, 2, _, _, _>(&free, paper, sides(kind), RootFree::<4>, pairwise());
+        all_engines_agree::<f64, 2, _, _, _>(&free, all, sides(kind), RootFree::<4>, pairwise());
     }
 }
 
@@ -213,7 +336,8 @@ fn a_bad_first_guess_of_epsilon_keeps_the_bits() {
         ..cloud(20, 7)
     };
     let width = Width::Adaptive { eta: 1.9f64 };
-    let solver = cloud.solver(sides::<2>(12), CubicSpline, width, pairwise());
+    let all = everything(0, false);
+    let solver = cloud.following(all, sides::<2>(12), CubicSpline, width, pairwise());
     let plain = run(&cloud, &solver, &mut PlainLoop, 2).unwrap();
     assert_eq!(plain, run(&cloud, &solver, &mut HalfLoop, 2).unwrap());
     assert_eq!(
@@ -222,30 +346,91 @@ fn a_bad_first_guess_of_epsilon_keeps_the_bits() {
     );
 }
 
+/// Sums up to 0 without being 0.
+fn cancels<S: Scalar>(terms: impl Iterator<Item = S> + Clone) -> bool {
+    let sum = terms.clone().fold(S::ZERO, |sum, term| sum + term);
+    sum == S::ZERO && terms.into_iter().any(|term| term != S::ZERO)
+}
+
+/// Momentum rates cancel at every step, and rates of total energy where there are such.
+fn rates_cancel<S: HostScalar, const D: usize, P: Case<S, D>>(physics: P, per_side: usize) {
+    let flows = physics.options().energy == EnergyForm::Total;
+    for seed in 1..5 {
+        let cloud = cloud(per_side, seed);
+        let width = Width::Adaptive {
+            eta: S::from_f64(1.2),
+        };
+        for sides in [sides::<D>(0), [[Side::Periodic; 2]; D]] {
+            let solver = cloud.following(physics, sides, CubicSpline, width, pairwise::<S>());
+            let mut arrays = cloud.arrays_of_two::<S, D>(&physics.options());
+            let (mut gas, mut work) = arrays.parts();
+            solver.prepare(&mut HalfLoop, &mut gas, &mut work).unwrap();
+            for _ in 0..10 {
+                for i in 0..D {
+                    let forces = gas.force.iter().map(|force| force[i]);
+                    assert!(cancels(forces), "{D}D seed {seed}, {physics:?}");
+                }
+                let powers = gas.power.iter().copied();
+                assert!(
+                    !flows || cancels(powers),
+                    "{D}D energy, seed {seed}, {physics:?}"
+                );
+                let dt = solver.time_step(&gas, S::ONE).unwrap();
+                solver
+                    .advance(&mut HalfLoop, &mut gas, &mut work, dt)
+                    .unwrap();
+            }
+        }
+    }
+}
+
 /// In fixed point the momentum rates of a free cloud sum to exactly 0, at every step.
 #[test]
 fn fixed_point_forces_of_a_free_cloud_cancel_exactly() {
+    for by_number in [false, true] {
+        rates_cancel::<Q32<U19>, 1, _>(plain(by_number), 60);
+        rates_cancel::<Q32<U19>, 2, _>(plain(by_number), 12);
+        rates_cancel::<Q32<U19>, 3, _>(plain(by_number), 11);
+        rates_cancel::<Q64<U32>, 2, _>(plain(by_number), 12);
+    }
+}
+
+/// And so they do with all options; and the flow of energy with [`EnergyForm::Total`].
+#[test]
+fn fixed_point_rates_with_all_options_cancel_exactly() {
+    for form in 0..FORMS.len() {
+        rates_cancel::<Q32<U19>, 1, _>(everything(form, false), 60);
+        rates_cancel::<Q32<U19>, 2, _>(everything(form, true), 12);
+        rates_cancel::<Q32<U19>, 3, _>(everything(form, false), 11);
+        rates_cancel::<Q64<U32>, 2, _>(everything(form, false), 12);
+    }
+}
+
+/// In a gas at rest all power is heat that is conducted: none is lost, and none crosses from
+/// one material to the other.
+#[test]
+fn fixed_point_heat_cancels_exactly_within_each_material() {
     fn check<S: HostScalar, const D: usize>(per_side: usize) {
-        for seed in 1..5 {
-            let cloud = cloud(per_side, seed);
+        for (seed, form) in (1..5).flat_map(|seed| [0, 2].map(|form| (seed, form))) {
+            let cloud = Cloud {
+                speed: 0.0,
+                ..cloud(per_side, seed)
+            };
             let width = Width::Adaptive {
                 eta: S::from_f64(1.2),
             };
+            let options = everything(form, false);
             for sides in [sides::<D>(0), [[Side::Periodic; 2]; D]] {
-                let solver = cloud.solver(sides, CubicSpline, width, pairwise::<S>());
-                let mut arrays = cloud.arrays::<S, D>();
+                let solver = cloud.following(options, sides, CubicSpline, width, pairwise::<S>());
+                let mut arrays = cloud.arrays_of_two::<S, D>(&options);
                 let (mut gas, mut work) = arrays.parts();
                 solver.prepare(&mut HalfLoop, &mut gas, &mut work).unwrap();
-                for _ in 0..10 {
-                    for i in 0..D {
-                        let sum = gas.force.iter().fold(S::ZERO, |sum, force| sum + force[i]);
-                        assert_eq!(sum, S::ZERO, "{D}D seed {seed}");
-                        assert!(gas.force.iter().any(|force| force[i] != S::ZERO));
-                    }
-                    let dt = solver.time_step(&gas, S::ONE).unwrap();
-                    solver
-                        .advance(&mut HalfLoop, &mut gas, &mut work, dt)
-                        .unwrap();
+                for material in [0, 1] {
+                    let here = gas.material.iter().zip(gas.power.iter());
+                    let powers = here
+                        .filter(|(number, _)| **number == material)
+                        .map(|(_, &power)| power);
+                    assert!(cancels(powers), "material {material}, {D}D seed {seed}");
                 }
             }
         }
@@ -263,6 +448,7 @@ fn records_survive_the_way_through_lanes() {
     use motes_core::scalar::Lanes;
     let node = |x: f64| GasNode {
         mass: x,
+        measure: x + 0.05,
         pressure: x + 0.1,
         gradient: x + 0.2,
         scale: x + 0.3,

@@ -31,7 +31,8 @@ fn the_firmware_holds_the_exported_tube() {
     let scenario = runs::scenario("sod", &["resolution.particles=225"]);
     let plan = motes::simulation::Plan::new(&scenario).unwrap();
     let exact = motes::comparison::ExactSolution::of(&scenario).unwrap();
-    let exported = motes::export::tube(&scenario, &plan, exact.as_ref(), "motes export sod -n 225");
+    let exported =
+        motes::export::tube(&scenario, &plan, exact.as_ref(), "motes export sod -n 225").unwrap();
     let held = std::fs::read_to_string("embedded/src/tube.rs").unwrap();
     assert!(
         exported == held,

@@ -18,7 +18,7 @@ use motes_core::cutoff::Named;
 use motes_core::domain::{Axis, Side};
 use motes_core::equation::gas::viscosity::{self, Coefficients, GingoldMonaghan};
 use motes_core::equation::gas::viscosity::{Pairwise, VonNeumann};
-use motes_core::equation::gas::{Gas, Particle, Width};
+use motes_core::equation::gas::{Gas, Options, Particle, Weights, Width};
 use motes_core::pairs::{HalfLoop, PlainLoop};
 use motes_core::scalar::{Micro, Q32, Q64, Scalar};
 
@@ -107,9 +107,11 @@ struct Case<const D: usize> {
     sides: [[Side; 2]; D],
     cut_off: Named,
     adaptive: bool,
+    weights: Weights,
     viscosity: Viscosity,
 }
 
+/// Weighted by mass.
 fn case<const D: usize>(
     cloud: Cloud,
     sides: [[Side; 2]; D],
@@ -122,11 +124,17 @@ fn case<const D: usize>(
         sides,
         cut_off,
         adaptive,
+        weights: Weights::Mass,
         viscosity,
     }
 }
 
 impl<const D: usize> Case<D> {
+    /// The same with either of the weights.
+    fn with_all_weights(self) -> [Self; 2] {
+        [Weights::Mass, Weights::Number].map(|weights| Self { weights, ..self })
+    }
+
     /// The solver, in a box that begins elsewhere and is of another length in each direction.
     fn solver<S: Scalar>(&self) -> Solver<S, Named, viscosity::Named<S>, D> {
         let eta = S::from_f64(self.cloud.eta);
@@ -147,6 +155,7 @@ impl<const D: usize> Case<D> {
         let mut solver = self
             .cloud
             .solver(self.sides, self.cut_off, width, viscosity);
+        solver.physics.weights = self.weights;
         for (i, axis) in solver.domain.axes.iter_mut().enumerate() {
             axis.lower = S::from_f64([-1.75, 0.5, 3.25][i]);
             axis.upper += axis.lower + S::from_f64(0.125 * i as f64);
@@ -180,6 +189,7 @@ impl<const D: usize> Case<D> {
                 true => Width::Adaptive { eta },
                 false => Width::Constant { epsilon: eta },
             },
+            weights: self.weights,
             viscosity: self.viscosity,
             alpha: ALPHA,
             beta: BETA,
@@ -358,14 +368,21 @@ impl Survey {
         }
     }
 
+    /// Holds a case with either of the weights.
+    fn hold<S: Scalar, const D: usize>(&mut self, case: &Case<D>) {
+        for case in case.with_all_weights() {
+            self.hold_one::<S, D>(&case);
+        }
+    }
+
     /// Prepares the cloud of a case twice, with both loops: an adaptive ε is found from a
     /// guess, and then from itself.
-    fn hold<S: Scalar, const D: usize>(&mut self, case: &Case<D>) {
+    fn hold_one<S: Scalar, const D: usize>(&mut self, case: &Case<D>) {
         let solver = case.solver::<S>();
         let particles = case.particles::<S>();
         let found = case.problem::<S>().solve(&bodies(&particles));
         for plain in [true, false] {
-            let mut arrays = GasArrays::new(particles.iter().copied());
+            let mut arrays = GasArrays::new(particles.iter().copied(), &Options::OFF);
             let (mut gas, mut work) = arrays.parts();
             for stage in [
                 Stage::first::<S>(case.adaptive),
@@ -484,7 +501,7 @@ fn epsilon_does_not_depend_on_the_guess() {
             epsilon: guess,
             ..particle
         });
-        let mut arrays = GasArrays::new(guessed);
+        let mut arrays = GasArrays::new(guessed, &Options::OFF);
         let (mut gas, mut work) = arrays.parts();
         let prepared = case.solver().prepare(&mut PlainLoop, &mut gas, &mut work);
         assert_eq!(prepared, Ok(()), "{guess}");
@@ -500,7 +517,7 @@ fn off_by_its_root<const D: usize>(case: &Case<D>) {
     let bodies = bodies(&particles);
     let mut problem = case.problem::<Micro>();
     let found = problem.solve(&bodies);
-    let mut arrays = GasArrays::new(particles);
+    let mut arrays = GasArrays::new(particles, &Options::OFF);
     let (mut gas, mut work) = arrays.parts();
     let prepared = (case.solver()).prepare(&mut HalfLoop, &mut gas, &mut work);
     assert_eq!(prepared, Ok(()), "{case:?}");
@@ -561,6 +578,12 @@ fn the_approximate_scalar_is_off_by_its_root_and_no_more() {
 /// One step of a cloud against kick, drift, kick as the design writes it. The first and the
 /// last particle leave through opposite corners.
 fn leap_frog<const D: usize>(case: &Case<D>) {
+    for case in case.with_all_weights() {
+        leap_frog_of(&case);
+    }
+}
+
+fn leap_frog_of<const D: usize>(case: &Case<D>) {
     let dt = 1.0 / 16.0;
     let mut particles = case.particles::<f64>();
     let solver = case.solver::<f64>();
@@ -576,7 +599,7 @@ fn leap_frog<const D: usize>(case: &Case<D>) {
     let before = problem.solve(&bodies);
     let step = problem.advance(&mut bodies, &before, dt);
 
-    let mut arrays = GasArrays::new(particles);
+    let mut arrays = GasArrays::new(particles, &Options::OFF);
     let (mut gas, mut work) = arrays.parts();
     for _ in 0..2 {
         assert_eq!(
@@ -663,6 +686,11 @@ fn one_step_is_the_kick_drift_kick_of_the_reference() {
 #[test]
 fn the_reference_conserves_momentum_and_energy() {
     fn check<const D: usize>(case: &Case<D>) {
+        for case in case.with_all_weights() {
+            check_one(&case);
+        }
+    }
+    fn check_one<const D: usize>(case: &Case<D>) {
         let bodies = bodies(&case.particles::<f64>());
         let found = case.problem::<f64>().solve(&bodies);
         let rounding = 4.0 * F64;

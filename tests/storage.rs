@@ -5,10 +5,13 @@ mod clouds;
 
 use clouds::Cloud;
 use motes::engine::Threads;
+use motes::simulation::GasArrays;
 use motes_core::cutoff::CubicSpline;
 use motes_core::domain::Side;
 use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
-use motes_core::equation::gas::{GasStorage, Width};
+use motes_core::equation::gas::{
+    Diffusion, EnergyForm, ExchangeStorage, GasStorage, Options, Switch, Width,
+};
 use motes_core::error::{Container, Error};
 use motes_core::neighbours::cell_bound;
 use motes_core::pairs::{Engine, HalfLoop};
@@ -129,6 +132,75 @@ fn an_empty_storage_is_an_error_and_no_panic() {
     let (mut gas, mut work) = storage.parts();
     let error = solver([Side::Free; 2]).prepare(&mut HalfLoop, &mut gas, &mut work);
     assert_eq!(error, Err(Error::EmptyDomain { axis: 0 }));
+}
+
+/// What goes beyond the paper's equations works in memory of its own: without it an error, with
+/// it the bits of the host.
+#[test]
+fn options_need_their_storage_and_have_the_bits_of_the_host() {
+    let options = Options {
+        energy: EnergyForm::Exact,
+        limited: true,
+        switch: Some(Switch {
+            minimum: 0.05f32,
+            decay: 0.2,
+        }),
+        balsara: true,
+        conduction: 0.75,
+        diffusion: Diffusion {
+            viscosity: 0.1,
+            heat: 0.1,
+        },
+        ..Options::OFF
+    };
+    let Solver::<f32> {
+        cut_off,
+        width,
+        viscosity,
+        ..
+    } = solver([Side::Mirror; 2]);
+    let solver = cloud().following(options, [[Side::Mirror; 2]], cut_off, width, viscosity);
+    let mut storage = filled::<CELLS>();
+    let (mut gas, mut work) = storage.parts();
+    let without = solver.prepare(&mut HalfLoop, &mut gas, &mut work);
+    assert_eq!(without, Err(Error::Lengths));
+
+    let mut exchange = ExchangeStorage::<f32, 1, N>::new();
+    let mut storage = filled::<CELLS>();
+    let (mut gas, mut work) = storage.parts();
+    work.exchange = exchange.parts();
+    let particles = cloud().particles::<f32, 1>();
+    let mut arrays = GasArrays::new(particles, &options);
+    let (mut on_host, mut host_work) = arrays.parts();
+    let mut threads = Threads::new(1).unwrap();
+    solver.prepare(&mut HalfLoop, &mut gas, &mut work).unwrap();
+    solver
+        .prepare(&mut threads, &mut on_host, &mut host_work)
+        .unwrap();
+    for _ in 0..200 {
+        let dt = solver.time_step(&gas, 1e3).unwrap();
+        solver
+            .advance(&mut HalfLoop, &mut gas, &mut work, dt)
+            .unwrap();
+        solver
+            .advance(&mut threads, &mut on_host, &mut host_work, dt)
+            .unwrap();
+    }
+    assert_eq!(gas.digest(), on_host.digest());
+}
+
+#[test]
+fn a_material_that_is_not_there_is_an_error() {
+    let mut particles = cloud().particles::<f32, 1>();
+    let solver = solver([Side::Mirror; 2]);
+    // The last one that there is.
+    particles[7].material = solver.materials.len() as u8 - 1;
+    for (more, expected) in [(0, Ok(())), (1, Err(Error::Material { particle: 7 }))] {
+        particles[7].material += more;
+        let mut arrays = GasArrays::new(particles.iter().copied(), &Options::OFF);
+        let (mut gas, mut work) = arrays.parts();
+        assert_eq!(solver.prepare(&mut HalfLoop, &mut gas, &mut work), expected);
+    }
 }
 
 /// Nonsense in, errors out: whatever the state holds, nothing panics.

@@ -51,7 +51,8 @@ fn main() -> ! {
 fn run<S: Scalar>(storage: Option<&mut Storage<S>>) -> Result<(u64, f64), Error> {
     // `take` would be the shorter word, but panics if the storage was taken before.
     let storage = storage.ok_or(Error::Lengths)?;
-    let solver = TUBE.solver(CUT_OFF, viscosity());
+    let materials = [TUBE.material()];
+    let solver = TUBE.solver(CUT_OFF, viscosity(), &materials);
     for particle in TUBE.particles() {
         storage.push(particle)?;
     }

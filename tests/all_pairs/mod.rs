@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 use motes_core::cutoff::Named;
 use motes_core::domain::{Axis, Side};
-use motes_core::equation::gas::Width;
+use motes_core::equation::gas::{Weights, Width};
 
 pub type Vector<const D: usize> = [f64; D];
 
@@ -153,6 +153,8 @@ pub struct Body<const D: usize> {
 pub struct Found<const D: usize> {
     pub epsilon: f64,
     pub density: f64,
+    /// ν: ρ, or the number of particles per volume.
+    pub sum: f64,
     pub omega: f64,
     /// `div u`.
     pub divergence: f64,
@@ -194,10 +196,11 @@ struct Seen<const D: usize> {
 /// What is known of a particle when the pair terms are summed.
 struct Node {
     mass: f64,
+    measure: f64,
     epsilon: f64,
     density: f64,
     sound_speed: f64,
-    /// `(p + q)/(Ω ρ²)`.
+    /// `(p + q)/(Ω ν²)`.
     pressure: f64,
 }
 
@@ -207,6 +210,7 @@ pub struct Problem<const D: usize> {
     pub axes: [Axis<f64>; D],
     pub cut_off: Named,
     pub width: Width<f64>,
+    pub weights: Weights,
     pub viscosity: Viscosity,
     pub alpha: f64,
     pub beta: f64,
@@ -216,11 +220,20 @@ pub struct Problem<const D: usize> {
 }
 
 impl<const D: usize> Problem<D> {
+    /// What a particle counts as in sums: its mass, or 1.
+    fn measure(&self, body: &Body<D>) -> f64 {
+        match self.weights {
+            Weights::Mass => body.mass,
+            Weights::Number => 1.0,
+        }
+    }
+
     /// Density, Ω and rates of every particle.
     pub fn solve(&self, bodies: &[Body<D>]) -> Vec<Found<D>> {
         let (seen, epsilons) = self.settle(bodies);
         let mut found: Vec<Found<D>> = (seen.iter().zip(&epsilons))
-            .map(|(seen, &epsilon)| self.at_rest(seen, epsilon, bodies))
+            .zip(bodies)
+            .map(|((seen, &epsilon), body)| self.at_rest(body, seen, epsilon, bodies))
             .collect();
         let nodes: Vec<Node> = (found.iter().zip(bodies))
             .map(|(found, body)| self.node(found, body))
@@ -312,7 +325,7 @@ impl<const D: usize> Problem<D> {
                 .map(|k| self.seen(k, bodies, &images, radius))
                 .collect();
             let epsilons: Option<Vec<f64>> = (seen.iter().zip(bodies))
-                .map(|(seen, body)| self.epsilon(seen, bodies, body.mass, largest))
+                .map(|(seen, body)| self.epsilon(seen, bodies, self.measure(body), largest))
                 .collect();
             match epsilons {
                 Some(epsilons) => return (seen, epsilons),
@@ -321,12 +334,12 @@ impl<const D: usize> Problem<D> {
         }
     }
 
-    /// `ε = η (m/ρ(ε))^(1/D)`, by bisection of the monotone `ρ(ε) ε^D - m η^D` below `largest`.
+    /// `ε = η (μ/ν(ε))^(1/D)`, by bisection of the monotone `ν(ε) ε^D - μ η^D` below `largest`.
     fn epsilon(
         &self,
         seen: &[Seen<D>],
         bodies: &[Body<D>],
-        mass: f64,
+        measure: f64,
         largest: f64,
     ) -> Option<f64> {
         let eta = match self.width {
@@ -334,7 +347,7 @@ impl<const D: usize> Problem<D> {
             Width::Adaptive { eta } => eta,
         };
         let too_wide = |epsilon: f64| {
-            self.density(seen, bodies, epsilon) * power(epsilon, D) > mass * power(eta, D)
+            self.sum(seen, bodies, epsilon) * power(epsilon, D) > measure * power(eta, D)
         };
         let (mut low, mut high) = (0.0, largest);
         if !too_wide(high) {
@@ -350,30 +363,31 @@ impl<const D: usize> Problem<D> {
         Some(high)
     }
 
-    /// `ρ(ε) = Σ_l m_l ζ_ε(x_k - x_l)`.
-    fn density(&self, seen: &[Seen<D>], bodies: &[Body<D>], epsilon: f64) -> f64 {
-        let term = |s: &Seen<D>| bodies[s.l].mass * zeta::<D>(self.cut_off, s.distance, epsilon);
+    /// `ν(ε) = Σ_l μ_l ζ_ε(x_k - x_l)`.
+    fn sum(&self, seen: &[Seen<D>], bodies: &[Body<D>], epsilon: f64) -> f64 {
+        let zeta = |s: &Seen<D>| zeta::<D>(self.cut_off, s.distance, epsilon);
+        let term = |s: &Seen<D>| self.measure(&bodies[s.l]) * zeta(s);
         seen.iter().map(term).sum()
     }
 
-    /// `Σ_l m_l ∂ζ_ε/∂ε`.
+    /// `Σ_l μ_l ∂ζ_ε/∂ε`.
     fn by_epsilon(&self, seen: &[Seen<D>], epsilon: f64, bodies: &[Body<D>]) -> f64 {
         let term = |s: &Seen<D>| {
-            bodies[s.l].mass * zeta_by_epsilon::<D>(self.cut_off, s.distance, epsilon)
+            self.measure(&bodies[s.l]) * zeta_by_epsilon::<D>(self.cut_off, s.distance, epsilon)
         };
         seen.iter().map(term).sum()
     }
 
-    /// See [`Found::bend`]. Beside the solution, Ω is `∂(ρ ε^D)/∂ ln ε / (D ρ ε^D)` with the
-    /// ρ ε^D of the solution.
+    /// See [`Found::bend`]. Beside the solution, Ω is `∂(ν ε^D)/∂ ln ε / (D ν ε^D)` with the
+    /// ν ε^D of the solution.
     fn bend(&self, seen: &[Seen<D>], epsilon: f64, bodies: &[Body<D>]) -> [f64; 2] {
         if let Width::Constant { .. } = self.width {
             return [0.0; 2];
         }
         let omegas = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|steps| {
             let epsilon = epsilon * f64::exp(steps * self.probe);
-            let density = self.density(seen, bodies, epsilon);
-            let slope = density + epsilon / D as f64 * self.by_epsilon(seen, epsilon, bodies);
+            let sum = self.sum(seen, bodies, epsilon);
+            let slope = sum + epsilon / D as f64 * self.by_epsilon(seen, epsilon, bodies);
             power(epsilon, D) * slope
         });
         let largest =
@@ -386,27 +400,38 @@ impl<const D: usize> Problem<D> {
         ]
     }
 
-    /// ρ, Ω and div u.
-    fn at_rest(&self, seen: &[Seen<D>], epsilon: f64, bodies: &[Body<D>]) -> Found<D> {
-        let density = self.density(seen, bodies, epsilon);
+    /// ν, `ρ = m ν/μ`, Ω and div u of a body.
+    fn at_rest(
+        &self,
+        body: &Body<D>,
+        seen: &[Seen<D>],
+        epsilon: f64,
+        bodies: &[Body<D>],
+    ) -> Found<D> {
+        let nu = self.sum(seen, bodies, epsilon);
         let omega = match self.width {
             Width::Constant { .. } => 1.0,
             Width::Adaptive { .. } => {
-                1.0 + epsilon / (D as f64 * density) * self.by_epsilon(seen, epsilon, bodies)
+                1.0 + epsilon / (D as f64 * nu) * self.by_epsilon(seen, epsilon, bodies)
             }
         };
         let (mut sum, mut terms) = (0.0, 0.0);
         for s in seen {
             let gradient = gradient(self.cut_off, &s.r, epsilon);
-            sum += bodies[s.l].mass * dot(&s.u, &gradient);
-            terms += bodies[s.l].mass * length(&s.u) * length(&gradient);
+            let measure = self.measure(&bodies[s.l]);
+            sum += measure * dot(&s.u, &gradient);
+            terms += measure * length(&s.u) * length(&gradient);
         }
         Found {
             epsilon,
-            density,
+            density: match self.weights {
+                Weights::Mass => nu,
+                Weights::Number => body.mass * nu,
+            },
+            sum: nu,
             omega,
-            divergence: -sum / (density * omega),
-            divergence_terms: terms / (density * omega),
+            divergence: -sum / (nu * omega),
+            divergence_terms: terms / (nu * omega),
             force: [0.0; D],
             force_terms: 0.0,
             power: 0.0,
@@ -432,10 +457,11 @@ impl<const D: usize> Problem<D> {
         }
         Node {
             mass: body.mass,
+            measure: self.measure(body),
             epsilon,
             density,
             sound_speed,
-            pressure: pressure / (found.omega * density * density),
+            pressure: pressure / (found.omega * found.sum * found.sum),
         }
     }
 
@@ -475,17 +501,19 @@ impl<const D: usize> Problem<D> {
             let mean: Vector<D> = std::array::from_fn(|i| 0.5 * (at_k[i] + at_l[i]));
             let pi = self.pi(node, partner, s);
             let masses = node.mass * partner.mass;
+            let measures = node.measure * partner.measure;
             for i in 0..D {
-                let bracket = node.pressure * at_k[i] + partner.pressure * at_l[i] + pi * mean[i];
-                found.force[i] -= masses * bracket;
+                let pressures = node.pressure * at_k[i] + partner.pressure * at_l[i];
+                found.force[i] -= measures * pressures + masses * pi * mean[i];
             }
-            found.power += masses * node.pressure * dot(&s.u, &at_k);
+            found.power += measures * node.pressure * dot(&s.u, &at_k);
             found.power += 0.5 * masses * pi * dot(&s.u, &mean);
 
             let pressures = node.pressure * length(&at_k) + partner.pressure * length(&at_l);
-            found.force_terms += masses * (pressures + pi.abs() * length(&mean));
-            let works = node.pressure * length(&at_k) + 0.5 * pi.abs() * length(&mean);
-            found.power_terms += masses * length(&s.u) * works;
+            let friction = masses * pi.abs() * length(&mean);
+            found.force_terms += measures * pressures + friction;
+            let works = measures * node.pressure * length(&at_k) + 0.5 * friction;
+            found.power_terms += length(&s.u) * works;
         }
     }
 

@@ -4,12 +4,20 @@
 use motes::simulation::GasArrays;
 use motes_core::cutoff::CutOff;
 use motes_core::domain::{Axis, Domain, Side};
-use motes_core::equation::gas::{GasDynamics, Particle, Viscosity, Width};
+use motes_core::equation::gas::{GasDynamics, Options, Particle, Physics, Plain, Viscosity, Width};
 use motes_core::material::IdealGas;
 use motes_core::scalar::Scalar;
 
-/// A gas solver of the tests.
-pub type Solver<S, C, V, const D: usize> = GasDynamics<S, C, V, IdealGas<S>, D>;
+/// A gas solver of the tests, with the law `P`.
+pub type Following<S, C, V, P, const D: usize> = GasDynamics<'static, S, C, V, IdealGas<S>, P, D>;
+
+/// The same with the paper's equations.
+pub type Solver<S, C, V, const D: usize> = Following<S, C, V, Plain<S, D>, D>;
+
+/// The materials of the tests, 0 and 1; few enough to live as long as the test.
+pub fn materials<S: Scalar>() -> &'static [IdealGas<S>] {
+    Box::leak(Box::new([IdealGas::new(1.4), IdealGas::new(1.6)]))
+}
 
 /// A reproducible stream of numbers in [-1, 1).
 pub struct Stream(u64);
@@ -60,13 +68,27 @@ impl Cloud {
                 mass: S::from_f64(1.0 + self.masses * stream.next()),
                 energy: S::from_f64(1.8 + 0.5 * stream.next()),
                 epsilon: S::from_f64(self.eta),
+                material: 0,
             }
         };
         (0..self.per_side.pow(D as u32)).map(&mut place).collect()
     }
 
     pub fn arrays<S: Scalar, const D: usize>(&self) -> GasArrays<S, D> {
-        GasArrays::new(self.particles())
+        GasArrays::new(self.particles(), &Options::OFF)
+    }
+
+    /// The same with memory for these options, and the upper half of material 1.
+    pub fn arrays_of_two<S: Scalar, const D: usize>(
+        &self,
+        options: &Options<S, D>,
+    ) -> GasArrays<S, D> {
+        let half = S::from_f64(0.5 * self.per_side as f64);
+        let mut particles = self.particles::<S, D>();
+        for particle in &mut particles {
+            particle.material = u8::from(particle.position[0] > half);
+        }
+        GasArrays::new(particles, options)
     }
 
     /// The box `[0, per_side]^D` with these sides.
@@ -88,12 +110,31 @@ impl Cloud {
         width: Width<S>,
         viscosity: V,
     ) -> Solver<S, C, V, D> {
+        self.following(Plain::DEFAULT, sides, cut_off, width, viscosity)
+    }
+
+    /// The solver with the law `physics`.
+    pub fn following<S, C, V, P, const D: usize>(
+        &self,
+        physics: P,
+        sides: [[Side; 2]; D],
+        cut_off: C,
+        width: Width<S>,
+        viscosity: V,
+    ) -> Following<S, C, V, P, D>
+    where
+        S: Scalar,
+        C: CutOff,
+        V: Viscosity<S>,
+        P: Physics<S, D>,
+    {
         GasDynamics {
             domain: self.domain(sides),
             cut_off,
             width,
             viscosity,
-            equation_of_state: IdealGas::new(1.4),
+            materials: materials(),
+            physics,
             courant: S::from_f64(0.3),
             smallest_omega: S::from_f64(1.0 / 32.0),
         }

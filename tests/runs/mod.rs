@@ -46,16 +46,11 @@ pub fn try_run(
     let mut control = Control {
         samples: 10,
         progress: &mut |_| true,
+        look: &mut |_| Ok(()),
     };
     let scalar = scalar.parse().unwrap();
     let outcome = simulation::run(&plan, scalar, false, &mut engine, &mut control)?;
     let exact = ExactSolution::of(&scenario).unwrap().unwrap();
-    let errors = norms(
-        &exact,
-        &outcome.particles,
-        outcome.time,
-        &scenario.output.window,
-    )
-    .unwrap();
+    let errors = norms(&exact, &outcome.particles, outcome.time, &scenario).unwrap();
     Ok(Run { outcome, errors })
 }

@@ -296,6 +296,7 @@ impl<S: Scalar, C: CutOff, V: Viscosity<S>, const D: usize> Law<S, D> for Exchan
             &mut node.velocity,
             &mut node.velocity_now,
             &mut node.acceleration,
+            &mut node.energy_slope,
         ] {
             if let Some(component) = vector.get_mut(axis) {
                 *component = -*component;

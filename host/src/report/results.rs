@@ -168,8 +168,12 @@ fn panels(experiment: &Experiment, abscissa: &Abscissa) -> Vec<Panel> {
             return Vec::new();
         };
         let exact = |x: f64| exact.at(abscissa.point(x, middle), outcome.time);
+        // Where the solution leaves all particles behind, it would leave them no room.
+        let values = inside.iter().map(|p| value(field, &state(p), abscissa));
+        let most = 3.0 * values.map(f64::abs).fold(0.0, f64::max);
         (0..=points)
             .map(|i| (at(i), value(field, &exact(at(i)), abscissa)))
+            .filter(|(_, value)| value.abs() <= most)
             .collect()
     };
     let panel = |(field, name): (usize, &str)| Panel {

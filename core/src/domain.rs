@@ -13,6 +13,18 @@ pub enum Side {
     Periodic,
     /// The mirror image of the cloud: a wall that lets nothing through.
     Mirror,
+    /// Particles that are prescribed: beyond the side they keep their velocity and energy, and
+    /// nothing acts on them. Where they come from and go to: [`Opening`].
+    ///
+    /// [`Opening`]: crate::equation::gas::Opening
+    Open,
+}
+
+impl Side {
+    /// Whether particles may be beyond it.
+    pub fn is_passable(self) -> bool {
+        matches!(self, Self::Free | Self::Open)
+    }
 }
 
 /// One direction of the domain.
@@ -99,13 +111,22 @@ impl<S: Scalar, const D: usize> Domain<S, D> {
                 }
                 _ => moved,
             };
-            let low = axis.sides[0] != Side::Free && *x < axis.lower;
-            let high = axis.sides[1] != Side::Free && *x > axis.upper;
+            let low = !axis.sides[0].is_passable() && *x < axis.lower;
+            let high = !axis.sides[1].is_passable() && *x > axis.upper;
             if low || high {
                 return Err(Error::Outside { particle });
             }
         }
         Ok(reflected)
+    }
+
+    /// Whether a position lies beyond an open side.
+    #[inline(always)]
+    pub fn is_beyond(&self, position: &[S; D]) -> bool {
+        self.axes.iter().zip(position).any(|(axis, &x)| {
+            axis.sides[0] == Side::Open && x < axis.lower
+                || axis.sides[1] == Side::Open && x > axis.upper
+        })
     }
 }
 

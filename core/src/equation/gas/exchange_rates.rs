@@ -231,20 +231,35 @@ where
         for ((rate, settled), &id) in rates.iter().zip(densities).zip(cells.order()) {
             let (node, sums) = (&rate.node, &rate.sums);
             let Some(mut row) = gas.row(id) else { continue };
-            if self.physics.energy == EnergyForm::Total {
-                // What is kinetic now is not after the kick; the sum is what goes on.
-                *row.energy += row.kinetic_energy();
-            }
-            row.kick(dt, self.with_external(node.mass, sums.force));
-            if self.physics.energy == EnergyForm::LeapFrog {
-                let power = node.measure * (node.force_pressure * sums.compression) + sums.power;
-                row.heat(dt, power);
+            if self.domain.is_beyond(row.position) {
+                row.hold();
+            } else {
+                self.close_row(&mut row, node, sums, dt);
             }
             if !has_gradients {
                 *row.divergence = -(sums.compression / (settled.density * settled.omega));
                 *row.viscosity_factor = S::ONE;
             }
             *row.signal = self.signal(&row, node.sound_speed, sums.approach);
+        }
+    }
+
+    #[inline(always)]
+    fn close_row(
+        &self,
+        row: &mut Row<'_, S, D>,
+        node: &ExchangeNode<S, D>,
+        sums: &ExchangeSums<S, D>,
+        dt: S,
+    ) {
+        if self.physics.energy == EnergyForm::Total {
+            // What is kinetic now is not after the kick; the sum is what goes on.
+            *row.energy += row.kinetic_energy();
+        }
+        row.kick(dt, self.with_external(node.mass, sums.force));
+        if self.physics.energy == EnergyForm::LeapFrog {
+            let power = node.measure * (node.force_pressure * sums.compression) + sums.power;
+            row.heat(dt, power);
         }
     }
 
@@ -261,6 +276,9 @@ where
         let (half, quarter) = (dt.half(), dt.half().half());
         for (rate, &id) in rates.iter().zip(cells.order()) {
             let Some(row) = gas.row(id) else { continue };
+            if self.domain.is_beyond(row.position) {
+                continue;
+            }
             let (power, slope) = (rate.sums.power, rate.sums.power_slope);
             *row.energy += half * ((*row.power + quarter * *row.power_slope) / row.mass);
             *row.energy += half * ((power - quarter * slope) / row.mass);
@@ -278,6 +296,9 @@ where
     ) {
         for (rate, &id) in rates.iter().zip(cells.order()) {
             let Some(mut row) = gas.row(id) else { continue };
+            if self.domain.is_beyond(row.position) {
+                continue;
+            }
             let external = S::dot(&rate.node.velocity, &self.physics.plain.acceleration);
             row.heat(dt, rate.sums.power + row.mass * external);
             *row.energy -= row.kinetic_energy();

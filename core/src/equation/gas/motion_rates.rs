@@ -71,8 +71,12 @@ where
             let (node, sums, settled) = (&rate.node, &rate.sums, &settled.node);
             let Some(mut row) = gas.row(id) else { continue };
             let power = node.measure * (node.pressure * sums.compression) + sums.heating;
-            row.kick(dt, self.with_external(node.mass, sums.force));
-            row.heat(dt, power);
+            if self.domain.is_beyond(row.position) {
+                row.hold();
+            } else {
+                row.kick(dt, self.with_external(node.mass, sums.force));
+                row.heat(dt, power);
+            }
             *row.divergence = -(sums.compression / (settled.density * settled.omega));
             *row.signal = self.signal(&row, node.sound_speed, sums.approach);
             problem.add(id, self.problem(&row, id));

@@ -13,17 +13,27 @@ pub enum Side {
     Periodic,
     /// The mirror image of the cloud: a wall that lets nothing through.
     Mirror,
-    /// Particles that are prescribed: beyond the side they keep their velocity and energy, and
-    /// nothing acts on them. Where they come from and go to: [`Opening`].
+    /// Particles that come in: beyond the side nothing acts on them. See [`open`].
     ///
-    /// [`Opening`]: crate::equation::gas::Opening
-    Open,
+    /// [`open`]: crate::equation::gas::open
+    Inflow,
+    /// Particles that go out: beyond the side they answer to nothing but waves that go out.
+    Outflow,
+}
+
+/// Where a particle is that has passed an open side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Beyond<S, const D: usize> {
+    /// Beyond an inflow side.
+    Inflow,
+    /// Beyond an outflow side; the unit vector that points out.
+    Outflow([S; D]),
 }
 
 impl Side {
     /// Whether particles may be beyond it.
     pub fn is_passable(self) -> bool {
-        matches!(self, Self::Free | Self::Open)
+        matches!(self, Self::Free | Self::Inflow | Self::Outflow)
     }
 }
 
@@ -120,13 +130,30 @@ impl<S: Scalar, const D: usize> Domain<S, D> {
         Ok(reflected)
     }
 
-    /// Whether a position lies beyond an open side.
+    /// Where a position lies beyond an inflow or outflow side; `None` elsewhere.
     #[inline(always)]
-    pub fn is_beyond(&self, position: &[S; D]) -> bool {
-        self.axes.iter().zip(position).any(|(axis, &x)| {
-            axis.sides[0] == Side::Open && x < axis.lower
-                || axis.sides[1] == Side::Open && x > axis.upper
-        })
+    pub fn beyond(&self, position: &[S; D]) -> Option<Beyond<S, D>> {
+        for (i, (axis, &x)) in self.axes.iter().zip(position).enumerate() {
+            let (side, out) = if x < axis.lower {
+                (axis.sides[0], -S::ONE)
+            } else if x > axis.upper {
+                (axis.sides[1], S::ONE)
+            } else {
+                continue;
+            };
+            match side {
+                Side::Inflow => return Some(Beyond::Inflow),
+                Side::Outflow => {
+                    let mut normal = [S::ZERO; D];
+                    if let Some(component) = normal.get_mut(i) {
+                        *component = out;
+                    }
+                    return Some(Beyond::Outflow(normal));
+                }
+                _ => {}
+            }
+        }
+        None
     }
 }
 

@@ -1,16 +1,23 @@
 //! Sides through which gas comes in and goes out.
 //!
-//! Beyond an open side ([`Side::Open`](crate::domain::Side::Open)) lies a zone of particles
-//! that take part in all sums, while nothing acts on them: there they keep their velocity and
-//! energy. A particle inside the domain sees partners up to a reach away, and their densities
-//! depend on partners a reach further out, so a zone must be more than two reaches deep; three
-//! leave room for the ε of the outermost particles, which see nobody on one side and grow.
+//! Beyond such a side lies a zone of particles that take part in all sums as partners, while
+//! the forces on them are not theirs: outside the zone there is nothing. A particle inside the
+//! domain sees partners up to a reach away, and their densities depend on partners a reach
+//! further out, so a zone must be more than two reaches deep; three leave room for the ε of the
+//! outermost particles, which see nobody on one side and grow.
 //!
-//! An inflow's zone is filled with the incoming state. It moves in as a whole, and as soon as a
-//! layer has room behind its rearmost particle, one enters there: when that is depends on the
-//! state alone, not on a clock. In an outflow's zone a particle keeps what it had when it
-//! crossed the side, and is removed at the far end. Small waves leave through it where the gas
-//! streams out; gas at rest stands there like a wall.
+//! *Inflow*: the zone is filled with the incoming state and moves in as a whole; nothing acts on
+//! it. As soon as a layer has room behind the rearmost particle, one enters there: when that is
+//! depends on the state alone, not on a clock. For waves from inside it is a piston.
+//!
+//! *Outflow*: a particle goes on with what it had when it crossed the side, changed only as a
+//! wave that runs outwards would change it,
+//!
+//! `Du_n/Dt = -c div u`, `De/Dt = -(p/ρ) div u`,
+//!
+//! and is removed at the far end. It is what remains of the equations of a plane simple wave,
+//! `p' = ρ c u'`: small waves leave, and so do shocks. Without the first term (velocities frozen
+//! at the side) half of a sound pulse comes back at Mach 0.2, with it 3 % (1D, `tests/open_sides.rs`).
 
 use crate::domain::{Axis, Domain};
 use crate::error::Error;
@@ -91,11 +98,15 @@ impl<S: Scalar, const D: usize> Opening<'_, S, D> {
         domain: &Domain<S, D>,
         cloud: &mut impl Cloud<S, D>,
     ) -> Result<(), Error> {
+        // Who goes makes room for who comes.
         for (end, zone) in self.ends(domain) {
-            match zone {
-                Zone::Shut => {}
-                Zone::Outflow(depth) => self.release(&end, *depth, cloud),
-                Zone::Inflow(inflow) => self.refill(&end, inflow, cloud)?,
+            if let Zone::Outflow(depth) = zone {
+                self.release(&end, *depth, cloud);
+            }
+        }
+        for (end, zone) in self.ends(domain) {
+            if let Zone::Inflow(inflow) = zone {
+                self.refill(&end, inflow, cloud)?;
             }
         }
         Ok(())

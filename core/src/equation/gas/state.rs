@@ -92,6 +92,14 @@ pub(super) struct Row<'a, S, const D: usize> {
     pub(super) neighbours: &'a mut S,
 }
 
+/// What a particle that goes out sees of the gas around it.
+pub(super) struct Wave<S> {
+    pub(super) sound_speed: S,
+    pub(super) divergence: S,
+    /// `m de/dt` of compression.
+    pub(super) power: S,
+}
+
 impl<S: Scalar, const D: usize> Gas<'_, S, D> {
     /// Number of particles.
     pub fn len(&self) -> usize {
@@ -198,6 +206,24 @@ impl<S: Scalar, const D: usize> Row<'_, S, D> {
         *self.energy += half * (*self.power / self.mass);
         *self.energy += half * (power / self.mass);
         *self.power = power;
+    }
+
+    /// Goes out as a wave that runs outwards would have it, `Du/Dt = -c div u` along the
+    /// normal; its energy answers to compression alone.
+    #[inline(always)]
+    pub(super) fn leave(&mut self, dt: S, normal: [S; D], wave: Wave<S>, form: EnergyForm) {
+        let is_total = form == EnergyForm::Total;
+        if is_total {
+            // Of the rate of total energy the internal part.
+            *self.power -= S::dot(self.velocity, self.force);
+        }
+        let push = -(self.mass * (wave.sound_speed * wave.divergence));
+        self.kick(dt, normal.map(|component| push * component));
+        self.heat(dt, wave.power);
+        *self.power_slope = S::ZERO;
+        if is_total {
+            *self.power += S::dot(self.velocity, self.force);
+        }
     }
 
     /// Nothing acts on it: it goes on as it is.

@@ -12,10 +12,16 @@ pub struct BuiltIn {
 }
 
 /// All built-in scenarios, in the order they are listed.
-pub const BUILT_IN: &[BuiltIn] = &[BuiltIn {
-    name: "sod",
-    text: include_str!("../../../scenarios/sod.toml"),
-}];
+pub const BUILT_IN: &[BuiltIn] = &[
+    BuiltIn {
+        name: "sod",
+        text: include_str!("../../../scenarios/sod.toml"),
+    },
+    BuiltIn {
+        name: "wind-tunnel",
+        text: include_str!("../../../scenarios/wind-tunnel.toml"),
+    },
+];
 
 /// The built-in scenario of this name, if there is one.
 pub fn built_in(name: &str) -> Option<&'static BuiltIn> {

@@ -17,8 +17,9 @@ const CORE: [&str; 10] = [
 ];
 
 /// The layers of the host, lowest first.
-const HOST: [&str; 17] = [
+const HOST: [&str; 18] = [
     "units",
+    "sums",
     "engine",
     "exact",
     "scenario",

@@ -13,6 +13,28 @@ pub enum Side {
     Periodic,
     /// The mirror image of the cloud: a wall that lets nothing through.
     Mirror,
+    /// Particles that come in: beyond the side nothing acts on them. See [`open`].
+    ///
+    /// [`open`]: crate::equation::gas::open
+    Inflow,
+    /// Particles that go out: beyond the side they answer to nothing but waves that go out.
+    Outflow,
+}
+
+/// Where a particle is that has passed an open side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Beyond<S, const D: usize> {
+    /// Beyond an inflow side.
+    Inflow,
+    /// Beyond an outflow side; the unit vector that points out.
+    Outflow([S; D]),
+}
+
+impl Side {
+    /// Whether particles may be beyond it.
+    pub fn is_passable(self) -> bool {
+        matches!(self, Self::Free | Self::Inflow | Self::Outflow)
+    }
 }
 
 /// One direction of the domain.
@@ -99,13 +121,39 @@ impl<S: Scalar, const D: usize> Domain<S, D> {
                 }
                 _ => moved,
             };
-            let low = axis.sides[0] != Side::Free && *x < axis.lower;
-            let high = axis.sides[1] != Side::Free && *x > axis.upper;
+            let low = !axis.sides[0].is_passable() && *x < axis.lower;
+            let high = !axis.sides[1].is_passable() && *x > axis.upper;
             if low || high {
                 return Err(Error::Outside { particle });
             }
         }
         Ok(reflected)
+    }
+
+    /// Where a position lies beyond an inflow or outflow side; `None` elsewhere.
+    #[inline(always)]
+    pub fn beyond(&self, position: &[S; D]) -> Option<Beyond<S, D>> {
+        for (i, (axis, &x)) in self.axes.iter().zip(position).enumerate() {
+            let (side, out) = if x < axis.lower {
+                (axis.sides[0], -S::ONE)
+            } else if x > axis.upper {
+                (axis.sides[1], S::ONE)
+            } else {
+                continue;
+            };
+            match side {
+                Side::Inflow => return Some(Beyond::Inflow),
+                Side::Outflow => {
+                    let mut normal = [S::ZERO; D];
+                    if let Some(component) = normal.get_mut(i) {
+                        *component = out;
+                    }
+                    return Some(Beyond::Outflow(normal));
+                }
+                _ => {}
+            }
+        }
+        None
     }
 }
 

@@ -13,8 +13,8 @@ use crate::simulation::Plan;
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 #[error("`{name}` is no tube of one ideal gas that `motes export` could write")]
 #[diagnostic(help(
-    "it needs dimension = 1, one ideal-gas, boxes filled with equal masses, and none of \
-     viscosity.switch, viscosity.balsara, kind = \"limited\", [conduction], [diffusion], [force], \
+    "it needs dimension = 1, one ideal-gas, boxes filled with equal masses, and none of inflow \
+     and outflow sides, viscosity.switch, viscosity.balsara, kind = \"limited\", [conduction], [diffusion], [force], \
      [weights] and time.energy"
 ))]
 pub struct NoTube {

@@ -15,4 +15,5 @@ pub mod setup;
 pub mod simulation;
 pub mod snapshots;
 pub mod suite;
+pub mod sums;
 pub mod units;

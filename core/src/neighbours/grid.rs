@@ -191,7 +191,7 @@ fn extent<S: Scalar, const D: usize>(
         let components = || positions.iter().filter_map(|x| x.get(i).copied());
         let lowest = components().reduce(Scalar::lesser).ok_or(error)?;
         let highest = components().reduce(Scalar::greater).ok_or(error)?;
-        let free = axis.sides.map(|side| side == Side::Free);
+        let free = axis.sides.map(Side::is_passable);
         bound[0] = if free[0] { lowest } else { axis.lower };
         bound[1] = if free[1] { highest } else { axis.upper };
         let flat = free[0] || free[1];

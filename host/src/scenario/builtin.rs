@@ -39,6 +39,7 @@ built_in! {
     "kelvin-helmholtz"
     "square"
     "shock-bubble"
+    "wind-tunnel"
     "sod3d"
     "noh3d"
     "sedov3d"

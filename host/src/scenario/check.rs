@@ -10,7 +10,9 @@ use super::problem::Problem;
 use super::section::Section;
 use super::{Arrangement, Domain};
 use super::{Gas, Scenario, Units};
-use super::{cut_off, geometry, material, method, output, profile, region, resolution, tolerance};
+use super::{
+    cut_off, geometry, inflow, material, method, output, profile, region, resolution, tolerance,
+};
 
 /// The scenario that `text`, called `name`, describes; files it names are in `folder`.
 pub(super) fn scenario(text: String, name: &str, folder: &Path) -> Result<Scenario, ScenarioError> {
@@ -50,11 +52,13 @@ fn parsed(text: &str, folder: &Path) -> Result<Scenario, Fault> {
         return Err(Fault::new(Problem::Gas { both: false }, root.span()));
     }
     let output = output::output(&root, &domain.extent, &gas)?;
+    inflow::check_output(&root, &domain, &output)?;
     Ok(Scenario {
         name,
         description,
         dimension,
         units: units(&root)?,
+        inflow: inflow::inflow(&root, &domain, &gas.materials)?,
         domain,
         regions: gas.regions,
         profile: gas.profile,

@@ -10,9 +10,11 @@ const SIDES: &[(&str, Side)] = &[
     ("periodic", Side::Periodic),
     ("mirror", Side::Mirror),
     ("free", Side::Free),
+    ("inflow", Side::Inflow),
+    ("outflow", Side::Outflow),
 ];
 
-const AXES: [char; 3] = ['x', 'y', 'z'];
+pub(super) const AXES: [char; 3] = ['x', 'y', 'z'];
 
 /// A box of positive volume.
 fn extent(section: &Section<'_>, dimension: usize) -> Result<Extent, Fault> {
@@ -59,8 +61,33 @@ pub(super) fn extent_inside(section: &Section<'_>, domain: &Extent) -> Result<Ex
 pub(super) fn domain(section: &Section<'_>, dimension: usize) -> Result<Domain, Fault> {
     let extent = extent(section, dimension)?;
     let directions = section.required("sides")?.directions(dimension)?;
-    let sides = directions.iter().map(sides).collect::<Result<_, _>>()?;
+    let sides: Vec<_> = directions.iter().map(sides).collect::<Result<_, _>>()?;
+    check_open(&directions, &sides)?;
     Ok(Domain { extent, sides })
+}
+
+/// That gas is taken in or out in one direction only, and in at one side only.
+fn check_open(directions: &[Entry<'_>], sides: &[[Side; 2]]) -> Result<(), Fault> {
+    let mut open = None;
+    for (axis, (entry, sides)) in directions.iter().zip(sides).enumerate() {
+        if !sides.iter().any(|side| side.is_open()) {
+            continue;
+        }
+        if *sides == [Side::Inflow; 2] {
+            let reason = "gas can come in at one side only".to_owned();
+            let cure = "write \"outflow\", \"free\" or \"mirror\" for the other, as \
+                        [[\"inflow\", \"outflow\"]]";
+            return Err(entry.does_not_fit(reason, cure));
+        }
+        if let Some(first) = open {
+            let reason = format!("gas comes in or goes out along {} already", AXES[first]);
+            let cure = "keep \"inflow\" and \"outflow\" to one direction: \"free\", \"mirror\" or \
+                        \"periodic\" are for the others";
+            return Err(entry.does_not_fit(reason, cure));
+        }
+        open = Some(axis);
+    }
+    Ok(())
 }
 
 /// Both sides of a direction: one name for both, or a pair of names.

@@ -32,6 +32,7 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
             key("domain", "[domain]"),
             key("region", "[[region]]"),
             key("profile", "[profile]"),
+            key("inflow", "[inflow]"),
             key("deposit", "[[deposit]]"),
             key("material", "[material]"),
             key("resolution", "[resolution]"),
@@ -86,6 +87,15 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
             key("strength", "strength = 5.0"),
             key("velocity", "velocity = [1.0, 0.0]"),
             key("mach", "mach = 0.1"),
+        ],
+    ),
+    (
+        "inflow",
+        &[
+            key("material", "material = \"water\""),
+            key("density", "density = 1.0"),
+            key("velocity", "velocity = [1.0]"),
+            key("pressure", "pressure = 1.0"),
         ],
     ),
     (

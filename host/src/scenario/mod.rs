@@ -9,6 +9,7 @@ mod check;
 mod cut_off;
 mod error;
 mod geometry;
+mod inflow;
 mod keys;
 mod material;
 mod method;
@@ -28,6 +29,7 @@ mod tolerance;
 pub use builtin::{BUILT_IN, BuiltIn, built_in};
 pub use cut_off::{CutOff, CutOffShape, Width};
 pub use error::ScenarioError;
+pub use inflow::Inflow;
 pub use material::{EquationOfState, Material};
 pub use method::{Diffusion, EnergyRule, Switch, Time, Viscosity, ViscosityKind, Weights};
 pub use output::{Exact, Interval, Output, Ring, SnapshotFormat, Snapshots};
@@ -59,6 +61,8 @@ pub struct Scenario {
     pub profile: Option<Profile>,
     /// The substances, at least one; regions name them by their place here.
     pub materials: Vec<Material>,
+    /// What comes in through the inflow side; `None` without one.
+    pub inflow: Option<Inflow>,
     /// Energy added at t = 0.
     pub deposits: Vec<Deposit>,
     /// How many particles, and how they are placed.
@@ -110,7 +114,8 @@ pub struct Extent {
 pub struct Domain {
     /// Its place.
     pub extent: Extent,
-    /// A direction: the side at `lower`, the side at `upper`; both or none periodic.
+    /// A direction: the side at `lower`, the side at `upper`; both or none periodic. One
+    /// direction at most has inflow and outflow sides, and one side at most is an inflow.
     pub sides: Vec<[Side; 2]>,
 }
 
@@ -123,6 +128,17 @@ pub enum Side {
     Mirror,
     /// Nothing: particles may leave.
     Free,
+    /// Gas comes in.
+    Inflow,
+    /// Gas goes out.
+    Outflow,
+}
+
+impl Side {
+    /// Whether gas is taken in or out there.
+    pub fn is_open(self) -> bool {
+        matches!(self, Self::Inflow | Self::Outflow)
+    }
 }
 
 /// A ball: an interval in one dimension, a disc in two.

@@ -65,10 +65,7 @@ fn region(section: &Section<'_>, domain: &Extent, materials: &[Material]) -> Res
         Some(ball) => ball.extent(),
         None => geometry::extent_inside(section, domain)?,
     };
-    let material = match section.optional("material") {
-        Some(entry) => entry.choice_of(materials.iter().map(|material| material.name.as_str()))?,
-        None => 0,
-    };
+    let material = material(section, materials)?;
     let density = section.required("density")?.number(POSITIVE)?;
     Ok(Region {
         extent,
@@ -80,8 +77,19 @@ fn region(section: &Section<'_>, domain: &Extent, materials: &[Material]) -> Res
     })
 }
 
+/// The place of the material that the file names; the first where it names none.
+pub(super) fn material(section: &Section<'_>, materials: &[Material]) -> Result<usize, Fault> {
+    section.optional("material").map_or(Ok(0), |entry| {
+        entry.choice_of(materials.iter().map(|material| material.name.as_str()))
+    })
+}
+
 /// The pressure that the file gives, or that follows from the density.
-fn pressure(section: &Section<'_>, law: &EquationOfState, density: f64) -> Result<f64, Fault> {
+pub(super) fn pressure(
+    section: &Section<'_>,
+    law: &EquationOfState,
+    density: f64,
+) -> Result<f64, Fault> {
     if law.is_barotropic() {
         return match section.optional("pressure") {
             None => Ok(law.pressure(density, 0.0)),

@@ -4,10 +4,13 @@ use motes_core::equation::gas::density::{DensityNode, DensitySums};
 use motes_core::equation::gas::exchange::{ExchangeNode, ExchangeSums};
 use motes_core::equation::gas::gradient::{GradientNode, GradientSums};
 use motes_core::equation::gas::motion::{GasNode, GasSums};
-use motes_core::equation::gas::{ExchangeWorkspace, Gas, Options, Particle, Workspace};
+use motes_core::equation::gas::{Cloud, ExchangeWorkspace, Gas, Options, Particle, Workspace};
+use motes_core::error::{Container, Error};
 use motes_core::neighbours::{CellBuffers, Site, cell_bound};
 use motes_core::pairs::{Fields, Settled};
 use motes_core::scalar::Scalar;
+
+use crate::setup::LARGEST;
 
 /// The state of a gas and the workspace of its solver.
 pub struct GasArrays<S: Scalar, const D: usize> {
@@ -34,6 +37,14 @@ pub struct GasArrays<S: Scalar, const D: usize> {
     gas_nodes: Vec<GasNode<S, D>>,
     rates: Vec<Settled<GasNode<S, D>, GasSums<S, D>>>,
     exchange: ExchangeArrays<S, D>,
+    needs: Needs,
+}
+
+/// Which workspaces the options ask for.
+#[derive(Clone, Copy)]
+struct Needs {
+    exchange: bool,
+    gradients: bool,
 }
 
 /// What the solver works in where its options ask for more than the paper's equations.
@@ -70,11 +81,7 @@ impl<S: Scalar, const D: usize> GasArrays<S, D> {
     ) -> Self {
         let particles: Vec<_> = particles.into_iter().collect();
         let n = particles.len();
-        let only_if = |needed: bool| if needed { n } else { 0 };
-        let exchanged = only_if(options.need_exchange());
-        let graded = only_if(options.need_gradients());
-        let moved = only_if(!options.need_exchange());
-        Self {
+        let mut arrays = Self {
             position: particles.iter().map(|p| p.position).collect(),
             velocity: particles.iter().map(|p| p.velocity).collect(),
             energy: particles.iter().map(|p| p.energy).collect(),
@@ -89,21 +96,52 @@ impl<S: Scalar, const D: usize> GasArrays<S, D> {
             divergence: vec![S::ZERO; n],
             signal: vec![S::ZERO; n],
             neighbours: vec![S::ZERO; n],
-            sites: vec![Site::EMPTY; n],
-            order: vec![0; n],
-            cell_of: vec![0; n],
-            starts: vec![0; cell_bound(n as u32) as usize + 1],
-            density_nodes: vec![DensityNode::ZERO; n],
-            densities: vec![Settled::new(DensityNode::ZERO, DensitySums::ZERO); n],
-            gas_nodes: vec![GasNode::ZERO; moved],
-            rates: vec![Settled::new(GasNode::ZERO, GasSums::ZERO); moved],
+            sites: Vec::new(),
+            order: Vec::new(),
+            cell_of: Vec::new(),
+            starts: Vec::new(),
+            density_nodes: Vec::new(),
+            densities: Vec::new(),
+            gas_nodes: Vec::new(),
+            rates: Vec::new(),
             exchange: ExchangeArrays {
-                gradient_nodes: vec![GradientNode::ZERO; graded],
-                gradients: vec![Settled::new(GradientNode::ZERO, GradientSums::ZERO); graded],
-                nodes: vec![ExchangeNode::ZERO; exchanged],
-                rates: vec![Settled::new(ExchangeNode::ZERO, ExchangeSums::ZERO); exchanged],
+                gradient_nodes: Vec::new(),
+                gradients: Vec::new(),
+                nodes: Vec::new(),
+                rates: Vec::new(),
             },
-        }
+            needs: Needs {
+                exchange: options.need_exchange(),
+                gradients: options.need_gradients(),
+            },
+        };
+        arrays.make_room(n);
+        arrays
+    }
+
+    /// Gives the workspace room for so many particles.
+    fn make_room(&mut self, n: usize) {
+        let only_if = |needed: bool| if needed { n } else { 0 };
+        self.sites.resize(n, Site::EMPTY);
+        self.order.resize(n, 0);
+        self.cell_of.resize(n, 0);
+        self.starts.resize(cell_bound(n as u32) as usize + 1, 0);
+        self.density_nodes.resize(n, DensityNode::ZERO);
+        let density = Settled::new(DensityNode::ZERO, DensitySums::ZERO);
+        self.densities.resize(n, density);
+        let moved = only_if(!self.needs.exchange);
+        self.gas_nodes.resize(moved, GasNode::ZERO);
+        let rate = Settled::new(GasNode::ZERO, GasSums::ZERO);
+        self.rates.resize(moved, rate);
+        let exchange = &mut self.exchange;
+        let graded = only_if(self.needs.gradients);
+        exchange.gradient_nodes.resize(graded, GradientNode::ZERO);
+        let gradient = Settled::new(GradientNode::ZERO, GradientSums::ZERO);
+        exchange.gradients.resize(graded, gradient);
+        let exchanged = only_if(self.needs.exchange);
+        exchange.nodes.resize(exchanged, ExchangeNode::ZERO);
+        let rate = Settled::new(ExchangeNode::ZERO, ExchangeSums::ZERO);
+        exchange.rates.resize(exchanged, rate);
     }
 
     /// The state and the workspace, as the solver takes them.
@@ -143,5 +181,69 @@ impl<S: Scalar, const D: usize> GasArrays<S, D> {
             },
         };
         (gas, work)
+    }
+}
+
+impl<S: Scalar, const D: usize> Cloud<S, D> for GasArrays<S, D> {
+    fn gas(&mut self) -> Gas<'_, S, D> {
+        self.parts().0
+    }
+
+    fn insert(&mut self, particle: Particle<S, D>, density: S) -> Result<(), Error> {
+        let n = self.mass.len() + 1;
+        if n > LARGEST {
+            return Err(Error::Capacity {
+                container: Container::Particles,
+                needed: n as u32,
+                capacity: LARGEST as u32,
+            });
+        }
+        self.position.push(particle.position);
+        self.velocity.push(particle.velocity);
+        self.energy.push(particle.energy);
+        self.mass.push(particle.mass);
+        self.epsilon.push(particle.epsilon);
+        self.material.push(particle.material);
+        self.density.push(density);
+        self.force.push([S::ZERO; D]);
+        for array in [
+            &mut self.power,
+            &mut self.power_slope,
+            &mut self.viscosity_factor,
+            &mut self.divergence,
+            &mut self.signal,
+            &mut self.neighbours,
+        ] {
+            array.push(S::ZERO);
+        }
+        if n > self.sites.len() {
+            // Ahead by an eighth: growing costs little a particle.
+            self.make_room((n + n / 8).min(LARGEST));
+        }
+        Ok(())
+    }
+
+    fn swap_remove(&mut self, id: usize) {
+        if id >= self.mass.len() {
+            return;
+        }
+        self.position.swap_remove(id);
+        self.velocity.swap_remove(id);
+        self.material.swap_remove(id);
+        self.force.swap_remove(id);
+        for array in [
+            &mut self.energy,
+            &mut self.mass,
+            &mut self.epsilon,
+            &mut self.density,
+            &mut self.power,
+            &mut self.power_slope,
+            &mut self.viscosity_factor,
+            &mut self.divergence,
+            &mut self.signal,
+            &mut self.neighbours,
+        ] {
+            array.swap_remove(id);
+        }
     }
 }

@@ -4,6 +4,7 @@ use motes_core::equation::gas::Width;
 use motes_core::error::Error;
 use motes_core::scalar::Scalar;
 
+use super::opening::OpenSides;
 use super::outcome::ParticleRow;
 use super::plan::Plan;
 
@@ -96,6 +97,17 @@ pub(super) fn check_format<S: Scalar>(plan: &Plan, scalar: &str) -> Result<(), R
     ]);
     for i in 0..plan.dimension {
         numbers.push(("a velocity", largest(&|p| p.velocity[i].abs())));
+    }
+    if let Some(incoming) = plan.opening.as_ref().and_then(OpenSides::incoming) {
+        let particle = &incoming.particle;
+        numbers.extend([
+            ("the spacing of the inflow", incoming.spacing),
+            ("the mass of a particle of the inflow", particle.mass),
+            ("the internal energy of the inflow", particle.energy),
+        ]);
+        for velocity in &particle.velocity[..plan.dimension] {
+            numbers.push(("a velocity of the inflow", *velocity));
+        }
     }
     for (what, value) in numbers {
         if !((S::from_f64(value).to_f64() - value).abs() <= 0.01 * value.abs()) {

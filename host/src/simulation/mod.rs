@@ -2,6 +2,7 @@
 
 mod arrays;
 mod limits;
+mod opening;
 mod outcome;
 mod plan;
 mod planning;
@@ -10,6 +11,7 @@ mod scalars;
 
 pub use arrays::GasArrays;
 pub use limits::RunError;
+pub use opening::{Incoming, OpenSides, OpenZone};
 pub use outcome::{Drift, Lonely, Outcome, ParticleRow, Sample, Spread};
 pub use plan::Plan;
 pub use planning::PlanError;

@@ -129,7 +129,7 @@ pub struct Lonely {
 /// All of a run's results.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// The particles at the end, in id order.
+    /// The particles at the end, in id order, without those beyond inflow and outflow sides.
     pub particles: Vec<ParticleRow>,
     /// The time series.
     pub series: Vec<Sample>,
@@ -145,8 +145,11 @@ pub struct Outcome {
     pub seconds: f64,
     /// Digest of the last state.
     pub digest: Digest,
-    /// Drift of the sums from the first to the last state.
+    /// Drift of the sums from the first to the last state; with inflow and outflow sides what
+    /// has flowed is in it.
     pub drift: Drift,
+    /// Whether there are inflow or outflow sides.
+    pub is_open: bool,
     /// The first particle seen with too few neighbours.
     pub lonely: Option<Lonely>,
 }

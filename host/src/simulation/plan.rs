@@ -11,6 +11,7 @@ use motes_core::equation::gas::{
 use motes_core::material::{IdealGas, Isothermal, Named as NamedMaterial, StiffenedGas, Tait};
 use motes_core::scalar::Scalar;
 
+use super::opening::OpenSides;
 use crate::scenario::{EquationOfState, Viscosity, ViscosityKind};
 use crate::units::SolverUnits;
 
@@ -26,7 +27,9 @@ pub struct Plan {
     pub middle: [f64; 3],
     /// The domain.
     pub axes: [Axis<f64>; 3],
-    /// The gas at the start.
+    /// What is beyond inflow and outflow sides, where there are any.
+    pub opening: Option<OpenSides>,
+    /// The gas at the start, without what is beyond inflow and outflow sides.
     pub particles: Vec<Particle<f64, 3>>,
     /// The stretches that the particles fill, where the run is one that a device can be given:
     /// one ideal gas in one dimension.
@@ -79,7 +82,8 @@ impl Plan {
         }
     }
 
-    fn domain<S: Scalar, const D: usize>(&self) -> Domain<S, D> {
+    /// The domain, in the scalar and dimension of the run.
+    pub fn domain<S: Scalar, const D: usize>(&self) -> Domain<S, D> {
         Domain {
             axes: std::array::from_fn(|i| Axis {
                 lower: S::from_f64(self.axes[i].lower),
@@ -172,7 +176,8 @@ impl Plan {
         let [EquationOfState::IdealGas { gamma }] = self.materials[..] else {
             return None;
         };
-        (self.options == Options::OFF).then_some(Tube {
+        let is_plain = self.options == Options::OFF && self.opening.is_none();
+        is_plain.then_some(Tube {
             half_length: self.axes[0].upper,
             sides: self.axes[0].sides,
             stretches,

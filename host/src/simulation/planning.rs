@@ -8,11 +8,13 @@ use motes_core::equation::gas::{
 
 use super::RunError;
 use super::limits::check_memory;
+use super::opening::OpenSides;
 use super::plan::Plan;
 use crate::scenario::{
     self, Arrangement, CutOffShape, EnergyRule, EquationOfState, Scenario, Share, ViscosityKind,
 };
 use crate::setup::{self, Placed, SetupError};
+use crate::sums::compensated;
 use crate::units::SolverUnits;
 
 /// A scenario that cannot be planned.
@@ -82,22 +84,26 @@ impl Plan {
             middle,
         };
         let stretches = frame.stretches(&placed);
+        let particles: Vec<_> = match &stretches {
+            Some(stretches) => frame.of_stretches(stretches),
+            None => placed.iter().map(|placed| frame.particle(placed)).collect(),
+        };
+        let cut_off = named(scenario.cut_off.shape);
+        let support = f64::from(cut_off.support());
         Ok(Self {
             dimension: scenario.dimension,
             units,
             middle,
             axes: frame.axes(),
-            particles: match &stretches {
-                Some(stretches) => frame.of_stretches(stretches),
-                None => placed.iter().map(|placed| frame.particle(placed)).collect(),
-            },
+            opening: OpenSides::new(scenario, &units, &frame.axes(), support, &particles),
+            particles,
             stretches,
             materials: scenario
                 .materials
                 .iter()
                 .map(|material| frame.material(&material.law))
                 .collect(),
-            cut_off: named(scenario.cut_off.shape),
+            cut_off,
             width: frame.width(),
             viscosity: scenario.viscosity,
             options: frame.options(),
@@ -115,10 +121,10 @@ fn bounds(scenario: &Scenario, axis: usize) -> [f64; 2] {
 }
 
 /// Spacing, mass and speed of which everything is counted: the mean spacing, the mean mass,
-/// and the largest speed of sound or gas at the start.
+/// and the largest speed of sound or gas at the start or coming in.
 fn units(scenario: &Scenario, placed: &[Placed]) -> SolverUnits {
     let count = placed.len().max(1) as f64;
-    let volume: f64 = placed.iter().map(|p| p.mass / p.density).sum();
+    let volume = compensated(placed.iter().map(|p| p.mass / p.density));
     let spacing = match scenario.dimension {
         1 => (bounds(scenario, 0)[1] - bounds(scenario, 0)[0]) / count,
         2 => (volume / count).sqrt(),
@@ -129,10 +135,16 @@ fn units(scenario: &Scenario, placed: &[Placed]) -> SolverUnits {
         let squares = p.velocity.iter().map(|u| u * u).sum::<f64>();
         squares.max(law.sound_speed_squared(p.density, p.energy))
     };
+    let incoming = scenario.inflow.as_ref().map_or(0.0, |inflow| {
+        let law = &scenario.materials[inflow.material].law;
+        let energy = law.energy(inflow.density, inflow.pressure);
+        let squares = inflow.velocity.iter().map(|u| u * u).sum::<f64>();
+        squares.max(law.sound_speed_squared(inflow.density, energy))
+    });
     SolverUnits {
         length: spacing,
-        mass: placed.iter().map(|p| p.mass).sum::<f64>() / count,
-        velocity: placed.iter().map(speed).fold(0.0, f64::max).sqrt(),
+        mass: compensated(placed.iter().map(|p| p.mass)) / count,
+        velocity: placed.iter().map(speed).fold(incoming, f64::max).sqrt(),
         dimension: scenario.dimension as i32,
     }
 }
@@ -163,6 +175,8 @@ impl Frame<'_> {
                         scenario::Side::Free => Side::Free,
                         scenario::Side::Periodic => Side::Periodic,
                         scenario::Side::Mirror => Side::Mirror,
+                        scenario::Side::Inflow => Side::Inflow,
+                        scenario::Side::Outflow => Side::Outflow,
                     })
                 }),
             }

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use motes_core::cutoff::CutOff;
-use motes_core::equation::gas::{Gas, GasDynamics, Physics, Viscosity, Width};
+use motes_core::equation::gas::{Cloud, Gas, GasDynamics, Opening, Physics, Viscosity, Width};
 use motes_core::error::Error;
 use motes_core::integrator::Clock;
 use motes_core::material::{EquationOfState, Named as NamedMaterial};
@@ -11,9 +11,11 @@ use motes_core::scalar::Scalar;
 
 use super::arrays::GasArrays;
 use super::limits::{RunError, check_format, check_memory};
+use super::opening::OpenSides;
 use super::outcome::{Drift, Lonely, Outcome, ParticleRow, Sample, Spread};
 use super::plan::Plan;
 use crate::engine::{HostScalar, Threads};
+use crate::sums::compensated;
 
 /// A look at a run between two steps.
 pub struct Look<'a> {
@@ -39,6 +41,7 @@ pub struct Control<'a> {
 struct Run<'a, 'm, S: Scalar, C, V, P, const D: usize> {
     plan: &'a Plan,
     solver: GasDynamics<'m, S, C, V, NamedMaterial<S>, P, D>,
+    opening: Option<Opening<'m, S, D>>,
     clock: Clock<S>,
 }
 
@@ -60,9 +63,15 @@ where
     check_memory(plan.particles.len(), bytes)?;
     check_format::<S>(plan, scalar)?;
     let materials = plan.materials();
+    let layer = plan
+        .opening
+        .as_ref()
+        .map_or_else(Vec::new, OpenSides::layer);
+    let opening = plan.opening.as_ref();
     let run = Run {
         plan,
         solver: plan.solver(cut_off, viscosity, physics, &materials),
+        opening: opening.map(|opening| opening.rounded(&layer)),
         clock: Clock::new(S::from_f64(plan.end)),
     };
     let arrays = GasArrays::new(plan.particles(), &options);
@@ -81,6 +90,11 @@ where
         engine: &mut Threads,
         control: &mut Control<'_>,
     ) -> Result<Outcome, RunError> {
+        if let Some(opening) = &self.opening {
+            opening
+                .fill(&self.solver.domain, &mut arrays)
+                .map_err(|error| self.failed(error))?;
+        }
         let (mut gas, mut work) = arrays.parts();
         let started = Instant::now();
         self.solver
@@ -92,6 +106,12 @@ where
         let (mut smallest, mut largest) = (f64::INFINITY, 0.0f64);
         self.show(&gas, control)?;
         while let Some(left) = self.clock.left() {
+            if let Some(opening) = &self.opening {
+                opening
+                    .exchange(&self.solver.domain, &mut arrays)
+                    .map_err(|error| self.failed(error))?;
+            }
+            let (mut gas, mut work) = arrays.parts();
             let dt = self
                 .solver
                 .time_step(&gas, left)
@@ -119,10 +139,12 @@ where
             }
         }
         let seconds = started.elapsed().as_secs_f64();
+        let gas = arrays.gas();
         let last = self.sample(&gas, S::ZERO);
         Ok(Outcome {
             particles: self.rows(&gas),
             drift: self.drift(&first, &last),
+            is_open: self.opening.is_some(),
             series,
             steps: self.clock.steps,
             smallest_step: if smallest.is_finite() { smallest } else { 0.0 },
@@ -169,7 +191,8 @@ where
             let particle = gas
                 .neighbours
                 .iter()
-                .position(|&neighbours| neighbours < two)?;
+                .zip(gas.position.iter())
+                .position(|(&neighbours, x)| neighbours < two && !self.is_beyond(x))?;
             let neighbours = gas.neighbours[particle].to_f64();
             Some(Lonely {
                 particle,
@@ -179,9 +202,17 @@ where
         })
     }
 
-    /// The particles in the scenario's units, in id order.
+    /// The particles in the scenario's units, in id order; those beyond open sides are not
+    /// part of the result.
     fn rows(&self, gas: &Gas<'_, S, D>) -> Vec<ParticleRow> {
-        (0..gas.len()).map(|id| self.row(gas, id)).collect()
+        (0..gas.len())
+            .filter(|&id| !self.is_beyond(&gas.position[id]))
+            .map(|id| self.row(gas, id))
+            .collect()
+    }
+
+    fn is_beyond(&self, position: &[S; D]) -> bool {
+        self.solver.domain.beyond(position).is_some()
     }
 
     /// One particle in the scenario's units.
@@ -270,20 +301,4 @@ where
             energy: (last.energy - first.energy) / first.energy,
         }
     }
-}
-
-/// A sum without the rounding of its length (Neumaier, Z. Angew. Math. Mech. 54, 39, 1974): of
-/// what is conserved to round-off only the drift is to be seen.
-fn compensated(values: impl Iterator<Item = f64>) -> f64 {
-    let (mut sum, mut lost) = (0.0f64, 0.0);
-    for value in values {
-        let next = sum + value;
-        lost += if sum.abs() >= value.abs() {
-            (sum - next) + value
-        } else {
-            (value - next) + sum
-        };
-        sum = next;
-    }
-    sum + lost
 }

@@ -2,6 +2,7 @@
 //! [`super::exchange`].
 
 use crate::cutoff::CutOff;
+use crate::domain::Beyond;
 use crate::error::Error;
 use crate::material::EquationOfState;
 use crate::neighbours::{Cells, Grid};
@@ -13,7 +14,7 @@ use super::dynamics::{GasDynamics, Lowest};
 use super::exchange::{Exchange, ExchangeNode, ExchangeSums, Sum};
 use super::gradient::{Gradient, GradientNode, GradientSums, divergence};
 use super::options::{EnergyForm, Options};
-use super::state::{Gas, Row};
+use super::state::{Gas, Row, Wave};
 use super::storage::Workspace;
 use super::switch::{Flow, balsara};
 use super::viscosity::{Local, Viscosity};
@@ -231,20 +232,44 @@ where
         for ((rate, settled), &id) in rates.iter().zip(densities).zip(cells.order()) {
             let (node, sums) = (&rate.node, &rate.sums);
             let Some(mut row) = gas.row(id) else { continue };
-            if self.physics.energy == EnergyForm::Total {
-                // What is kinetic now is not after the kick; the sum is what goes on.
-                *row.energy += row.kinetic_energy();
-            }
-            row.kick(dt, self.with_external(node.mass, sums.force));
-            if self.physics.energy == EnergyForm::LeapFrog {
-                let power = node.measure * (node.force_pressure * sums.compression) + sums.power;
-                row.heat(dt, power);
+            let divergence = -(sums.compression / (settled.density * settled.omega));
+            match self.domain.beyond(row.position) {
+                None => self.close_row(&mut row, node, sums, dt),
+                Some(Beyond::Inflow) => row.hold(),
+                Some(Beyond::Outflow(normal)) => {
+                    let wave = Wave {
+                        sound_speed: node.sound_speed,
+                        divergence,
+                        power: node.measure * (node.force_pressure * sums.compression),
+                    };
+                    row.leave(dt, normal, wave, self.physics.energy);
+                }
             }
             if !has_gradients {
-                *row.divergence = -(sums.compression / (settled.density * settled.omega));
+                *row.divergence = divergence;
                 *row.viscosity_factor = S::ONE;
             }
             *row.signal = self.signal(&row, node.sound_speed, sums.approach);
+        }
+    }
+
+    /// Kicks a particle inside the domain.
+    #[inline(always)]
+    fn close_row(
+        &self,
+        row: &mut Row<'_, S, D>,
+        node: &ExchangeNode<S, D>,
+        sums: &ExchangeSums<S, D>,
+        dt: S,
+    ) {
+        if self.physics.energy == EnergyForm::Total {
+            // What is kinetic now is not after the kick; the sum is what goes on.
+            *row.energy += row.kinetic_energy();
+        }
+        row.kick(dt, self.with_external(node.mass, sums.force));
+        if self.physics.energy == EnergyForm::LeapFrog {
+            let power = node.measure * (node.force_pressure * sums.compression) + sums.power;
+            row.heat(dt, power);
         }
     }
 
@@ -261,6 +286,9 @@ where
         let (half, quarter) = (dt.half(), dt.half().half());
         for (rate, &id) in rates.iter().zip(cells.order()) {
             let Some(row) = gas.row(id) else { continue };
+            if self.domain.beyond(row.position).is_some() {
+                continue;
+            }
             let (power, slope) = (rate.sums.power, rate.sums.power_slope);
             *row.energy += half * ((*row.power + quarter * *row.power_slope) / row.mass);
             *row.energy += half * ((power - quarter * slope) / row.mass);
@@ -278,6 +306,9 @@ where
     ) {
         for (rate, &id) in rates.iter().zip(cells.order()) {
             let Some(mut row) = gas.row(id) else { continue };
+            if self.domain.beyond(row.position).is_some() {
+                continue;
+            }
             let external = S::dot(&rate.node.velocity, &self.physics.plain.acceleration);
             row.heat(dt, rate.sums.power + row.mass * external);
             *row.energy -= row.kinetic_energy();

@@ -21,6 +21,7 @@ mod exchange_rates;
 pub mod gradient;
 pub mod motion;
 mod motion_rates;
+pub mod open;
 pub mod options;
 mod physics;
 pub mod state;
@@ -31,6 +32,7 @@ pub mod viscosity;
 
 pub use density::Width;
 pub use dynamics::GasDynamics;
+pub use open::{Cloud, Inflow, Opening, Zone};
 pub use options::{Diffusion, EnergyForm, Options, Plain, Switch, Weights};
 pub use physics::{Physics, Settled};
 pub use state::{Gas, Particle};

@@ -1,6 +1,7 @@
 //! The rates of the paper's equations, by the law of [`super::motion`].
 
 use crate::cutoff::CutOff;
+use crate::domain::Beyond;
 use crate::error::Error;
 use crate::material::EquationOfState;
 use crate::neighbours::Grid;
@@ -12,7 +13,7 @@ use super::dynamics::{GasDynamics, Lowest};
 use super::motion::{GasNode, Motion};
 use super::options::EnergyForm;
 use super::physics::Physics;
-use super::state::{Gas, Row};
+use super::state::{Gas, Row, Wave};
 use super::storage::Workspace;
 use super::viscosity::{Local, Viscosity};
 
@@ -71,9 +72,23 @@ where
             let (node, sums, settled) = (&rate.node, &rate.sums, &settled.node);
             let Some(mut row) = gas.row(id) else { continue };
             let power = node.measure * (node.pressure * sums.compression) + sums.heating;
-            row.kick(dt, self.with_external(node.mass, sums.force));
-            row.heat(dt, power);
-            *row.divergence = -(sums.compression / (settled.density * settled.omega));
+            let divergence = -(sums.compression / (settled.density * settled.omega));
+            match self.domain.beyond(row.position) {
+                None => {
+                    row.kick(dt, self.with_external(node.mass, sums.force));
+                    row.heat(dt, power);
+                }
+                Some(Beyond::Inflow) => row.hold(),
+                Some(Beyond::Outflow(normal)) => {
+                    let wave = Wave {
+                        sound_speed: node.sound_speed,
+                        divergence,
+                        power: node.measure * (node.pressure * sums.compression),
+                    };
+                    row.leave(dt, normal, wave, EnergyForm::LeapFrog);
+                }
+            }
+            *row.divergence = divergence;
             *row.signal = self.signal(&row, node.sound_speed, sums.approach);
             problem.add(id, self.problem(&row, id));
         }

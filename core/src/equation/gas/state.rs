@@ -76,6 +76,7 @@ pub struct Gas<'a, S, const D: usize> {
 
 /// One particle of a [`Gas`]: its entry in every array.
 pub(super) struct Row<'a, S, const D: usize> {
+    pub(super) position: &'a [S; D],
     pub(super) velocity: &'a mut [S; D],
     pub(super) energy: &'a mut S,
     pub(super) mass: S,
@@ -89,6 +90,14 @@ pub(super) struct Row<'a, S, const D: usize> {
     pub(super) divergence: &'a mut S,
     pub(super) signal: &'a mut S,
     pub(super) neighbours: &'a mut S,
+}
+
+/// What a particle that goes out sees of the gas around it.
+pub(super) struct Wave<S> {
+    pub(super) sound_speed: S,
+    pub(super) divergence: S,
+    /// `m de/dt` of compression.
+    pub(super) power: S,
 }
 
 impl<S: Scalar, const D: usize> Gas<'_, S, D> {
@@ -121,11 +130,25 @@ impl<S: Scalar, const D: usize> Gas<'_, S, D> {
         vectors.iter().chain(&scalars).all(|&length| length == n)
     }
 
+    /// Particle `id` as it would be put into a cloud, and its density; `None` beyond the end.
+    pub fn particle(&self, id: usize) -> Option<(Particle<S, D>, S)> {
+        let particle = Particle {
+            position: *self.position.get(id)?,
+            velocity: *self.velocity.get(id)?,
+            mass: *self.mass.get(id)?,
+            energy: *self.energy.get(id)?,
+            epsilon: *self.epsilon.get(id)?,
+            material: *self.material.get(id)?,
+        };
+        Some((particle, *self.density.get(id)?))
+    }
+
     /// The entries of particle `id`; `None` beyond the end.
     #[inline(always)]
     pub(super) fn row(&mut self, id: u32) -> Option<Row<'_, S, D>> {
         let id = id as usize;
         Some(Row {
+            position: self.position.get(id)?,
             velocity: self.velocity.get_mut(id)?,
             energy: self.energy.get_mut(id)?,
             mass: *self.mass.get(id)?,
@@ -183,6 +206,32 @@ impl<S: Scalar, const D: usize> Row<'_, S, D> {
         *self.energy += half * (*self.power / self.mass);
         *self.energy += half * (power / self.mass);
         *self.power = power;
+    }
+
+    /// Goes out as a wave that runs outwards would have it, `Du/Dt = -c div u` along the
+    /// normal; its energy answers to compression alone.
+    #[inline(always)]
+    pub(super) fn leave(&mut self, dt: S, normal: [S; D], wave: Wave<S>, form: EnergyForm) {
+        let is_total = form == EnergyForm::Total;
+        if is_total {
+            // Of the rate of total energy the internal part.
+            *self.power -= S::dot(self.velocity, self.force);
+        }
+        let push = -(self.mass * (wave.sound_speed * wave.divergence));
+        self.kick(dt, normal.map(|component| push * component));
+        self.heat(dt, wave.power);
+        *self.power_slope = S::ZERO;
+        if is_total {
+            *self.power += S::dot(self.velocity, self.force);
+        }
+    }
+
+    /// Nothing acts on it: it goes on as it is.
+    #[inline(always)]
+    pub(super) fn hold(&mut self) {
+        *self.force = [S::ZERO; D];
+        *self.power = S::ZERO;
+        *self.power_slope = S::ZERO;
     }
 
     /// `|u|²/2`.

@@ -11,6 +11,7 @@ use super::density::{DensityNode, DensitySums};
 use super::exchange::{ExchangeNode, ExchangeSums};
 use super::gradient::{GradientNode, GradientSums};
 use super::motion::{GasNode, GasSums};
+use super::open::Cloud;
 use super::state::{Gas, Particle};
 
 /// Memory that a step works in; nothing in it outlives the step.
@@ -215,5 +216,73 @@ impl<S: Scalar, const D: usize, const N: usize, const C: usize> GasStorage<S, D,
             exchange: ExchangeWorkspace::default(),
         };
         (gas, work)
+    }
+}
+
+impl<S: Scalar, const D: usize, const N: usize, const C: usize> Cloud<S, D>
+    for GasStorage<S, D, N, C>
+{
+    fn gas(&mut self) -> Gas<'_, S, D> {
+        self.parts().0
+    }
+
+    fn insert(&mut self, particle: Particle<S, D>, density: S) -> Result<(), Error> {
+        let id = self.mass.len();
+        self.push(particle)?;
+        put(&mut self.density, id, density);
+        put(&mut self.force, id, [S::ZERO; D]);
+        put(&mut self.power, id, S::ZERO);
+        put(&mut self.power_slope, id, S::ZERO);
+        put(&mut self.viscosity_factor, id, S::ZERO);
+        put(&mut self.divergence, id, S::ZERO);
+        put(&mut self.signal, id, S::ZERO);
+        put(&mut self.neighbours, id, S::ZERO);
+        Ok(())
+    }
+
+    fn swap_remove(&mut self, id: usize) {
+        let Some(last) = self.mass.len().checked_sub(1) else {
+            return;
+        };
+        if id > last {
+            return;
+        }
+        take_last(&mut self.position, id);
+        take_last(&mut self.velocity, id);
+        take_last(&mut self.energy, id);
+        take_last(&mut self.mass, id);
+        take_last(&mut self.epsilon, id);
+        take_last(&mut self.material, id);
+        // Nothing reads what is left beyond the end.
+        for array in [
+            &mut self.density,
+            &mut self.power,
+            &mut self.power_slope,
+            &mut self.viscosity_factor,
+            &mut self.divergence,
+            &mut self.signal,
+            &mut self.neighbours,
+        ] {
+            if let Some(&value) = array.get(last) {
+                put(array, id, value);
+            }
+        }
+        if let Some(&force) = self.force.get(last) {
+            put(&mut self.force, id, force);
+        }
+    }
+}
+
+/// Sets an entry, where there is one.
+fn put<T>(array: &mut [T], id: usize, value: T) {
+    if let Some(entry) = array.get_mut(id) {
+        *entry = value;
+    }
+}
+
+/// Removes entry `id` of a list in which it is; the last one takes its place.
+fn take_last<T, const N: usize>(list: &mut Vec<T, N>, id: usize) {
+    if let Some(last) = list.pop() {
+        put(list, id, last);
     }
 }

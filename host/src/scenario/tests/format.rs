@@ -430,6 +430,12 @@ const FAULTS: &[Case] = &[
     ("\"ideal-gas\"\ngamma = 1.4", "\"isothermal\"\nsound-speed = 2.0", "pressure", "region.0.pressure = 1.0 does not fit: isothermal gives 4", "take `pressure` out"),
     ("\"ideal-gas\"\n", "\"stiffened-gas\"\npressure-at-infinity = -1.0\n", "pressure-at-infinity", "material.pressure-at-infinity = -1.0", "0 or a positive"),
     ("density = 1.0\n", "density = 1.0\nmaterial = \"air\"\n", "material", "region.0.material = \"air\" is unknown", "known: ideal-gas"),
+    // Open sides.
+    ("sides = [\"periodic\", \"periodic\"]", "sides = [[\"inflow\", \"outflow\"], \"periodic\"]", "sides", "there is no [inflow]", "add [inflow] with density"),
+    ("sides = [\"periodic\", \"periodic\"]", "sides = [\"inflow\", \"periodic\"]", "sides", "domain.sides.0 = \"inflow\" does not fit: gas can come in at one side only", "[[\"inflow\", \"outflow\"]]"),
+    ("sides = [\"periodic\", \"periodic\"]", "sides = [\"outflow\", [\"inflow\", \"free\"]]", "sides", "domain.sides.1 = [\"inflow\", \"free\"] does not fit: gas comes in or goes out along x already", "to one direction"),
+    ("sides = [\"periodic\", \"periodic\"]", "sides = [[\"periodic\", \"outflow\"], \"periodic\"]", "sides", "periodic at one end", "for the direction"),
+    ("[material]", "[inflow]\ndensity = 1.0\nvelocity = [1.0, 0.0]\npressure = 1.0\n[material]", "[inflow]", "no side of the domain is an inflow", "take [inflow] out"),
     // Regions, profiles, deposits.
     ("lower = [0.0, 0.0]\nupper = [1.0, 1.0]\ndensity", "center = [0.5, 0.5]\nradius = 0.1\nupper = [1.0, 1.0]\ndensity", "upper", "a ball has no upper", "a ball takes center, radius"),
     ("lower = [0.0, 0.0]\nupper = [1.0, 1.0]\ndensity", "center = [0.5, 0.5]\ndensity", "[[region]]", "`radius` is missing in [[region]] 0", "`radius = 0.1`"),
@@ -479,6 +485,74 @@ fn every_fault_of_the_further_sections_names_the_value_the_line_and_the_cure() {
         let shown = text.lines().nth(number - 1).unwrap();
         assert!(shown.contains(line), "{to:?} was reported on {shown:?}");
     }
+}
+
+/// [`BOX`] with a stream along x.
+fn stream(sides: &str, inflow: &str) -> String {
+    changed(&[
+        (
+            "sides = [\"periodic\", \"periodic\"]",
+            &format!("sides = [{sides}, \"periodic\"]"),
+        ),
+        ("[material]", &format!("[inflow]\n{inflow}[material]")),
+    ])
+}
+
+#[test]
+fn an_inflow_reads_from_either_side_and_points_into_the_domain() {
+    let state = |u: &str| format!("density = 2.0\nvelocity = [{u}, 0.5]\npressure = 3.0\n");
+    let scenario = read(&stream("[\"inflow\", \"outflow\"]", &state("1.5")));
+    assert_eq!(scenario.domain.sides[0], [Side::Inflow, Side::Outflow]);
+    assert_eq!(scenario.domain.inflow(), Some((0, 0)));
+    let inflow = scenario.inflow.unwrap();
+    assert_eq!(
+        (inflow.density, inflow.pressure, inflow.material),
+        (2.0, 3.0, 0)
+    );
+    assert_eq!(inflow.velocity, [1.5, 0.5]);
+
+    let above = read(&stream("[\"outflow\", \"inflow\"]", &state("-1.5")));
+    assert_eq!(above.domain.inflow(), Some((0, 1)));
+    for (sides, u, sign) in [
+        (
+            "[\"outflow\", \"inflow\"]",
+            "1.5",
+            "a negative number along x",
+        ),
+        ("[\"inflow\", \"free\"]", "0.0", "a positive number along x"),
+    ] {
+        let error = File::new(stream(sides, &state(u))).read(&[]).unwrap_err();
+        assert_report_holds(&error, &["inflow.velocity = [", "it comes in at the", sign]);
+    }
+    let error = File::new(stream("[\"inflow\", \"outflow\"]", "density = 0.0\n"))
+        .read(&[])
+        .unwrap_err();
+    assert_report_holds(&error, &["inflow.density = 0.0", "larger than 0"]);
+    let set = File::new(stream("[\"inflow\", \"outflow\"]", &state("1.5")))
+        .read(&["inflow.velocity=[2.5, 0.0]"])
+        .unwrap();
+    assert_eq!(set.inflow.unwrap().velocity, [2.5, 0.0]);
+}
+
+#[test]
+fn the_reference_solution_knows_no_inflow() {
+    let sides = r#"domain.sides=[["inflow", "outflow"]]"#;
+    let set = [
+        sides,
+        "inflow.density=1",
+        "inflow.velocity=[1.0]",
+        "inflow.pressure=1",
+    ];
+    sod(&set).unwrap();
+    let error = sod(&[&set[..], &["output.exact=reference"]].concat()).unwrap_err();
+    assert_report_holds(
+        &error,
+        &[
+            "output.exact = \"reference\"",
+            "no inflow",
+            "leave `exact` out",
+        ],
+    );
 }
 
 /// A `[profile]` in place of the region; what the report holds.
@@ -575,7 +649,7 @@ fn the_page_names_every_key_and_every_choice() {
         }
     }
     let choices = [
-        "mirror periodic free ideal-gas stiffened-gas isothermal tait noh sound-wave yee-vortex",
+        "mirror periodic free inflow outflow ideal-gas stiffened-gas isothermal tait noh sound-wave yee-vortex",
         "gresho kelvin-helmholtz equal-mass square hexagonal cubic close-packed sampled glass file",
         "mass volume number pairwise gingold_monaghan von_neumann limited none leapfrog exact",
         "total riemann sedov profile reference vtu csv",

@@ -169,7 +169,10 @@ impl Incoming {
             *to = from / units.velocity;
         }
         let (epsilon, width) = match scenario.cut_off.width {
-            scenario::Width::Adaptive { .. } => (eta * mean, eta * mean),
+            width @ scenario::Width::Adaptive { .. } => {
+                let eta = width.spacings(units.length);
+                (eta * mean, eta * mean)
+            }
             scenario::Width::Constant { epsilon } => (mean, epsilon / units.length),
         };
         Self {

@@ -542,7 +542,7 @@ impl<const D: usize> Problem<D> {
                         continue;
                     }
                     match axis.sides[end] {
-                        Side::Free => {}
+                        Side::Free | Side::Inflow | Side::Outflow => {}
                         Side::Periodic => {
                             x += inwards * (axis.upper - axis.lower);
                             wrapped.push(k);

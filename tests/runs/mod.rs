@@ -41,7 +41,20 @@ pub fn try_run(
     changes: &[&str],
 ) -> Result<Run, RunError> {
     let scenario = scenario(name, changes);
-    let plan = Plan::new(&scenario).unwrap();
+    let outcome = try_outcome(&scenario, scalar, threads)?;
+    let exact = ExactSolution::of(&scenario).unwrap().unwrap();
+    let errors = norms(&exact, &outcome.particles, outcome.time, &scenario).unwrap();
+    Ok(Run { outcome, errors })
+}
+
+/// What becomes of a built-in scenario with these changes.
+pub fn outcome(name: &str, scalar: &str, threads: usize, changes: &[&str]) -> Outcome {
+    try_outcome(&scenario(name, changes), scalar, threads)
+        .unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+fn try_outcome(scenario: &Scenario, scalar: &str, threads: usize) -> Result<Outcome, RunError> {
+    let plan = Plan::new(scenario).unwrap();
     let mut engine = Threads::new(threads).unwrap();
     let mut control = Control {
         samples: 10,
@@ -49,8 +62,5 @@ pub fn try_run(
         look: &mut |_| Ok(()),
     };
     let scalar = scalar.parse().unwrap();
-    let outcome = simulation::run(&plan, scalar, false, &mut engine, &mut control)?;
-    let exact = ExactSolution::of(&scenario).unwrap().unwrap();
-    let errors = norms(&exact, &outcome.particles, outcome.time, &scenario).unwrap();
-    Ok(Run { outcome, errors })
+    simulation::run(&plan, scalar, false, &mut engine, &mut control)
 }

@@ -76,7 +76,7 @@ const HEAD: u32 = 62;
 
 /// Points drawn in a panel at most, some 100 bytes each; of more, every second,
 /// third ... is drawn.
-const MOST_POINTS: usize = 4000;
+const MOST_POINTS: usize = 1500;
 
 // Blue and vermilion of Okabe and Ito (2008), told apart by all kinds of colour vision.
 const PARTICLES: RGBColor = RGBColor(0, 114, 178);

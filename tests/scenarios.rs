@@ -1,0 +1,92 @@
+//! What every built-in scenario owes: the same bits for any number of threads, and, where it
+//! takes seconds, the bounds of the suite. `motes suite` checks them all.
+
+mod runs;
+
+use motes::engine::Threads;
+use motes::scenario::BUILT_IN;
+use motes::simulation::ScalarName;
+use motes::suite::{CASES, Case, Measure};
+
+/// A few steps of every scenario, with enough particles for several tasks but no more.
+#[test]
+fn bits_do_not_depend_on_the_number_of_threads() {
+    for built_in in BUILT_IN {
+        let scenario = runs::scenario(built_in.name, &[]);
+        let end = format!("time.end={:e}", scenario.time.end * 0.01);
+        let few = match scenario.dimension {
+            1 => "resolution.particles=3000",
+            2 => "resolution.particles=6000",
+            _ => "resolution.particles=30000",
+        };
+        let changes: &[&str] = match built_in.name {
+            // As many neighbours as the scenario has need its own number of particles.
+            "sod3d" => &[&end],
+            _ => &[&end, few],
+        };
+        let [one, three] = [1, 3].map(|threads| {
+            let outcome = runs::outcome(built_in.name, "f32", threads, changes);
+            (outcome.digest, outcome.steps, outcome.particles.len())
+        });
+        assert_eq!(one, three, "{}", built_in.name);
+        assert!(one.1 > 0, "{} made no step", built_in.name);
+    }
+}
+
+/// Every built-in scenario is a case of the suite, or has nothing to be held to.
+#[test]
+fn every_scenario_is_in_the_suite() {
+    for built_in in BUILT_IN {
+        let held = CASES.iter().any(|case| case.scenario == built_in.name);
+        assert!(held, "{} is not in the suite", built_in.name);
+    }
+    for case in CASES {
+        let scenario = case.scenario(&[]).unwrap();
+        assert_eq!(scenario.dimension, case.dimension, "{}", case.name());
+    }
+}
+
+/// The bounds of the cases that pass the filter, in f64.
+fn bounds_hold(filter: impl Fn(&Case) -> bool) {
+    let mut checks = 0;
+    for case in CASES.iter().filter(|case| filter(case)) {
+        let mut engine = Threads::new(0).unwrap();
+        let measured = case
+            .measure(ScalarName::F64, &mut engine, &mut |_| true)
+            .unwrap();
+        for check in &measured.row.checks {
+            assert!(check.holds(), "{}: {check}", case.name());
+            checks += 1;
+        }
+    }
+    assert!(checks > 0);
+}
+
+#[test]
+fn one_dimensional_cases_keep_their_bounds() {
+    bounds_hold(|case| case.dimension == 1);
+}
+
+#[test]
+fn quick_two_dimensional_cases_keep_their_bounds() {
+    bounds_hold(|case| matches!(case.scenario, "sod2d" | "square"));
+}
+
+/// A bound that cannot be kept is seen to be missed.
+#[test]
+fn a_missed_bound_is_seen() {
+    let case = Case {
+        changes: &["tolerance.density.l1=1e-6"],
+        measures: &[Measure::EnergyDrift {
+            most: 1e-13,
+            reason: "leap-frog does not keep it",
+        }],
+        ..CASES[0]
+    };
+    let mut engine = Threads::new(1).unwrap();
+    let measured = case
+        .measure(ScalarName::F64, &mut engine, &mut |_| true)
+        .unwrap();
+    let missed: Vec<bool> = measured.row.checks.iter().map(|c| !c.holds()).collect();
+    assert_eq!(missed, [true, false, false, true]);
+}

@@ -43,6 +43,8 @@ fn every_scenario_is_in_the_suite() {
     for case in CASES {
         let scenario = case.scenario(&[]).unwrap();
         assert_eq!(scenario.dimension, case.dimension, "{}", case.name());
+        let plain = |c: char| c.is_ascii_alphanumeric() || c == '-';
+        assert!(case.file_name().chars().all(plain), "{}", case.file_name());
     }
 }
 

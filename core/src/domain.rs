@@ -13,9 +13,8 @@ pub enum Side {
     Periodic,
     /// The mirror image of the cloud: a wall that lets nothing through.
     Mirror,
-    /// Particles that come in: beyond the side nothing acts on them. See [`open`].
-    ///
-    /// [`open`]: crate::equation::gas::open
+    /// Particles that come in: beyond the side nothing acts on them. The equation
+    /// says what they are: for a gas `equation::gas::open`.
     Inflow,
     /// Particles that go out: beyond the side they answer to nothing but waves that go out.
     Outflow,

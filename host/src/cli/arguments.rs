@@ -104,18 +104,21 @@ pub(super) struct SuiteArguments {
     #[arg(long, default_value_t = 0, value_name = "N")]
     pub threads: usize,
     /// Folder for the report
-    #[arg(long, default_value = "out/suite", value_name = "DIR")]
+    #[arg(long, default_value = SUITE_FOLDER, value_name = "DIR")]
     pub out: PathBuf,
     /// Print the rows as one JSON list on standard output, and nothing else
     #[arg(long)]
     pub json: bool,
 }
 
+/// Where the report of the suite goes.
+pub(super) const SUITE_FOLDER: &str = "out/suite";
+
 /// The formats of the suite that this build has.
 #[cfg(feature = "every-scalar")]
-const SUITE_SCALARS: &str = "f64,f32,q12.19";
+pub(super) const SUITE_SCALARS: &str = "f64,f32,q12.19";
 #[cfg(not(feature = "every-scalar"))]
-const SUITE_SCALARS: &str = "f64,f32";
+pub(super) const SUITE_SCALARS: &str = "f64,f32";
 
 #[derive(Args)]
 pub(super) struct ExportArguments {

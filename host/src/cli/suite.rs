@@ -9,7 +9,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use miette::IntoDiagnostic;
 
 use super::Failure;
-use super::arguments::{SuiteArguments, scalar};
+use super::arguments::{SUITE_FOLDER, SUITE_SCALARS, SuiteArguments, scalar};
 use crate::engine::Threads;
 use crate::io;
 use crate::report::results::pictures;
@@ -156,6 +156,12 @@ fn report(arguments: &SuiteArguments, rows: &[SuiteRow]) -> Result<(), Failure> 
     let mut command = "cargo run --release -- suite".to_owned();
     for case in &arguments.cases {
         command += &format!(" {case}");
+    }
+    if arguments.scalars.join(",") != SUITE_SCALARS {
+        command += &format!(" --scalars {}", arguments.scalars.join(","));
+    }
+    if out != Path::new(SUITE_FOLDER) {
+        command += &format!(" --out {}", out.display());
     }
     let text = |name: &str, text: &str| {
         io::write_text(&out.join(name), text).map_err(|error| Failure::Run(error.into()))

@@ -70,8 +70,25 @@ const SHAPES: &[(&str, CutOffShape)] = &[
     ("root-free", CutOffShape::RootFree),
 ];
 
+impl CutOff {
+    /// Where a scenario names none: M4 in one dimension, Wendland's C2 in two and three, where
+    /// particles under a spline clump in pairs.
+    fn usual(dimension: usize) -> Self {
+        let (shape, eta) = match dimension {
+            1 => (CutOffShape::CubicSpline, 1.0),
+            _ => (CutOffShape::WendlandC2, 1.3),
+        };
+        let width = Width::Adaptive { eta, theta: 1.0 };
+        Self { shape, width }
+    }
+}
+
 /// `[cut-off]`.
-pub(super) fn cut_off(section: &Section<'_>) -> Result<CutOff, Fault> {
+pub(super) fn cut_off(root: &Section<'_>, dimension: usize) -> Result<CutOff, Fault> {
+    let Some(entry) = root.optional("cut-off") else {
+        return Ok(CutOff::usual(dimension));
+    };
+    let section = &entry.section()?;
     let shape = section.required("name")?.choice(SHAPES)?;
     let width = match (section.optional("eta"), section.optional("epsilon")) {
         (Some(eta), None) => Width::Adaptive {

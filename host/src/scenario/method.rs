@@ -112,7 +112,17 @@ pub(super) fn weights(root: &Section<'_>) -> Result<Weights, Fault> {
 }
 
 /// `[viscosity]`.
-pub(super) fn viscosity(section: &Section<'_>) -> Result<Viscosity, Fault> {
+pub(super) fn viscosity(root: &Section<'_>) -> Result<Viscosity, Fault> {
+    let Some(entry) = root.optional("viscosity") else {
+        return Ok(Viscosity {
+            kind: ViscosityKind::Pairwise,
+            alpha: 1.0,
+            beta: 2.0,
+            switch: None,
+            balsara: false,
+        });
+    };
+    let section = &entry.section()?;
     let kind = section.required("kind")?.choice(KINDS)?;
     if kind == ViscosityKind::None {
         // So that `--set viscosity.kind=none` alone switches it off.

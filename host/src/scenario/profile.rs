@@ -41,8 +41,8 @@ pub enum Profile {
     Gresho {
         /// Of the vortex as a whole.
         velocity: Vec<f64>,
-        /// Mach number of the peak velocity as if all pressure were that of the centre; the
-        /// pressure at the centre is 5 without it.
+        /// Mach number of the fastest gas, at r = 0.2: the pressure at the centre is
+        /// `1/(gamma mach^2) - 1/2`, and 5 without it.
         mach: Option<f64>,
     },
     /// The shear layer of McNally, Lyra & Passy, Astrophys. J. Suppl. 201 (2012) 18;

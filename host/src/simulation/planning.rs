@@ -68,8 +68,10 @@ impl Plan {
     /// # Errors
     /// What [`PlanError`] lists.
     pub fn new(scenario: &Scenario) -> Result<Self, PlanError> {
-        let particles = scenario.resolution.particles.min(setup::LARGEST);
-        check_memory(particles, size_of::<Placed>()).map_err(PlanError::Memory)?;
+        let particles = scenario.resolution.particles;
+        if particles <= setup::LARGEST {
+            check_memory(particles, size_of::<Placed>()).map_err(PlanError::Memory)?;
+        }
         let placed = setup::particles(scenario)?;
         let units = units(scenario, &placed);
         check_units(&units)?;

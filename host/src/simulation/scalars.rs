@@ -1,11 +1,14 @@
 //! From the name of a scalar to the code that runs with it.
+//!
+//! Every scalar is compiled in every dimension, which takes most of the time of a build; unit
+//! tests do without those that none of them runs.
 
-#[cfg(feature = "every-scalar")]
+#[cfg(all(feature = "every-scalar", not(test)))]
 use fixed::types::extra::{U12, U16, U18, U19, U20, U22, U32, U40, U48};
 use motes_core::cutoff::{
     CubicSpline, CutOff, Named as NamedCutOff, QuinticSpline, WendlandC2, WendlandC6,
 };
-#[cfg(feature = "every-scalar")]
+#[cfg(all(feature = "every-scalar", not(test)))]
 use motes_core::scalar::{Checked, Micro, Q32, Q64};
 
 use super::limits::RunError;
@@ -43,25 +46,25 @@ type Runner = fn(&Plan, &str, bool, &mut Threads, &mut Control<'_>) -> Result<Ou
 scalars! {
     F64, "f64", "IEEE double precision", in_floats::<f64>;
     F32, "f32", "IEEE single precision", in_floats::<f32>;
-    #[cfg(feature = "every-scalar")]
+    #[cfg(all(feature = "every-scalar", not(test)))]
     Micromath, "micromath", "f32 with approximate square roots", in_dimensions::<Micro>;
-    #[cfg(feature = "every-scalar")]
+    #[cfg(all(feature = "every-scalar", not(test)))]
     Q9p22, "q9.22", "32-bit fixed point, 22 fractional bits", in_fixed_point::<Q32<U22>>;
-    #[cfg(feature = "every-scalar")]
+    #[cfg(all(feature = "every-scalar", not(test)))]
     Q11p20, "q11.20", "32-bit fixed point, 20 fractional bits", in_fixed_point::<Q32<U20>>;
-    #[cfg(feature = "every-scalar")]
+    #[cfg(all(feature = "every-scalar", not(test)))]
     Q12p19, "q12.19", "32-bit fixed point, 19 fractional bits", in_fixed_point::<Q32<U19>>;
-    #[cfg(feature = "every-scalar")]
+    #[cfg(all(feature = "every-scalar", not(test)))]
     Q13p18, "q13.18", "32-bit fixed point, 18 fractional bits", in_fixed_point::<Q32<U18>>;
-    #[cfg(feature = "every-scalar")]
+    #[cfg(all(feature = "every-scalar", not(test)))]
     Q15p16, "q15.16", "32-bit fixed point, 16 fractional bits", in_fixed_point::<Q32<U16>>;
-    #[cfg(feature = "every-scalar")]
+    #[cfg(all(feature = "every-scalar", not(test)))]
     Q19p12, "q19.12", "32-bit fixed point, 12 fractional bits", in_fixed_point::<Q32<U12>>;
-    #[cfg(feature = "every-scalar")]
+    #[cfg(all(feature = "every-scalar", not(test)))]
     Q15p48, "q15.48", "64-bit fixed point, 48 fractional bits", in_fixed_point::<Q64<U48>>;
-    #[cfg(feature = "every-scalar")]
+    #[cfg(all(feature = "every-scalar", not(test)))]
     Q23p40, "q23.40", "64-bit fixed point, 40 fractional bits", in_fixed_point::<Q64<U40>>;
-    #[cfg(feature = "every-scalar")]
+    #[cfg(all(feature = "every-scalar", not(test)))]
     Q31p32, "q31.32", "64-bit fixed point, 32 fractional bits", in_fixed_point::<Q64<U32>>;
 }
 
@@ -138,7 +141,7 @@ fn in_floats<S: HostScalar>(
     }
 }
 
-#[cfg(feature = "every-scalar")]
+#[cfg(all(feature = "every-scalar", not(test)))]
 fn in_fixed_point<S>(
     plan: &Plan,
     name: &str,

@@ -25,8 +25,8 @@ pub enum Measure {
         /// Why.
         reason: &'static str,
     },
-    /// The relative error of the radius of a round shock: where the mean pressure around the
-    /// centre falls through half of its highest value.
+    /// The relative error of the radius of a round shock: where the pressure, as a mean over the
+    /// volume of rings one spacing wide, falls through half of what the exact shock leaves.
     ShockRadius {
         /// The exact radius.
         radius: f64,
@@ -90,7 +90,7 @@ impl Measure {
                 most,
                 reason,
             } => {
-                let error = (shock_radius(experiment) / radius - 1.0).abs();
+                let error = (shock_radius(experiment, radius) / radius - 1.0).abs();
                 ("shock radius", error, most, reason)
             }
             Self::Growth { most, reason } => {
@@ -141,9 +141,15 @@ fn blip(experiment: &Experiment, within: f64) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Where the mean pressure on rings of one spacing falls through half of its maximum.
-fn shock_radius(experiment: &Experiment) -> f64 {
+/// Where the mean pressure on rings of one spacing falls through half of that behind a shock
+/// at `exact_radius`.
+fn shock_radius(experiment: &Experiment, exact_radius: f64) -> f64 {
     let outcome = &experiment.outcome;
+    let Some(exact) = &experiment.exact else {
+        return f64::NAN;
+    };
+    let behind = [exact_radius * (1.0 - 1e-9), 0.0, 0.0];
+    let half = 0.5 * exact.at(behind, outcome.time).pressure;
     let dimension = experiment.scenario.dimension as f64;
     let volume: f64 = outcome.particles.iter().map(|p| p.mass / p.density).sum();
     let spacing = (volume / outcome.particles.len() as f64).powf(1.0 / dimension);
@@ -154,20 +160,18 @@ fn shock_radius(experiment: &Experiment) -> f64 {
         if ring >= rings.len() {
             rings.resize(ring + 1, (0.0, 0.0));
         }
-        rings[ring].0 += particle.pressure;
-        rings[ring].1 += 1.0;
+        let volume = particle.mass / particle.density;
+        rings[ring].0 += volume * particle.pressure;
+        rings[ring].1 += volume;
     }
-    let means: Vec<f64> = rings.iter().map(|(sum, n)| sum / n.max(1.0)).collect();
-    let Some(peak) = (0..means.len()).max_by(|&a, &b| means[a].total_cmp(&means[b])) else {
-        return f64::NAN;
-    };
-    let half = 0.5 * means[peak];
+    let means: Vec<f64> = rings.iter().map(|(sum, volume)| sum / volume).collect();
     let centre = |ring: usize| (ring as f64 + 0.5) * spacing;
-    (peak + 1..means.len())
-        .find(|&ring| means[ring] < half)
+    // From outside: the last ring above half.
+    let last = means.iter().rposition(|&mean| mean >= half);
+    last.filter(|&ring| ring + 1 < means.len())
         .map_or(f64::NAN, |ring| {
-            let (above, below) = (means[ring - 1], means[ring]);
-            centre(ring - 1) + (above - half) / (above - below) * spacing
+            let (above, below) = (means[ring], means[ring + 1]);
+            centre(ring) + (above - half) / (above - below) * spacing
         })
 }
 

@@ -55,12 +55,12 @@ impl Case {
         }
     }
 
-    /// The name as part of a file name.
+    /// The name as that of a file: letters, digits and `-`.
     pub fn file_name(&self) -> String {
-        match self.variant {
-            "" => self.scenario.to_owned(),
-            variant => format!("{}-{}", self.scenario, variant.replace([' ', ','], "-")),
-        }
+        let words = format!("{} {}", self.scenario, self.variant);
+        let plain = |c: char| c.is_ascii_alphanumeric();
+        let words = words.split(|c| !plain(c)).filter(|word| !word.is_empty());
+        words.collect::<Vec<_>>().join("-")
     }
 
     /// Whether the case is run with a scalar of that name.

@@ -109,6 +109,24 @@ fn what_is_optional_takes_its_default() {
     assert_eq!(scenario.output.window, scenario.domain.extent);
 }
 
+/// Without a cut-off and a viscosity: those of sod in one dimension, Wendland's in two.
+#[test]
+fn the_usual_cut_off_is_that_of_the_dimension() {
+    let without = |text: &str| {
+        let (head, rest) = text.split_once("[cut-off]").unwrap();
+        format!("{head}[time]{}", rest.split_once("[time]").unwrap().1)
+    };
+    let line = File::new(without(SOD)).read(&[]).unwrap();
+    let sod = sod(&[]).unwrap();
+    assert_eq!(line.cut_off, sod.cut_off);
+    assert_eq!(line.viscosity, sod.viscosity);
+    let text = built_in("sod2d").unwrap().text;
+    let plane = File::new(without(text)).read(&[]).unwrap();
+    assert_eq!(plane.cut_off.shape, CutOffShape::WendlandC2);
+    let sod2d = Scenario::read(Source::from("sod2d"), &[]).unwrap();
+    assert_eq!(plane.cut_off, sod2d.cut_off);
+}
+
 #[test]
 fn an_argument_is_a_file_if_it_ends_in_toml_or_has_a_separator() {
     for file in ["sod.toml", "./sod", "runs/sod"] {
@@ -193,7 +211,7 @@ const FAULTS: &[Case] = &[
     ("pressure = 0.1", "pressure = -0.1", "pressure", "region.1.pressure = -0.1", "larger than 0"),
     ("alpha = 1.0", "alpha = -1.0", "alpha", "viscosity.alpha = -1.0", "damping"),
     ("beta = 2.0", "beta = -2.0", "beta", "viscosity.beta = -2.0", "damping"),
-    ("eta = 1.2", "eta = 0.0", "eta", "cut-off.eta = 0.0", "larger than 0"),
+    ("eta = 1.0", "eta = 0.0", "eta", "cut-off.eta = 0.0", "larger than 0"),
     ("courant = 0.3 ", "courant = 1.5 ", "courant", "time.courant = 1.5", "0.3 is safe"),
     ("courant = 0.3 ", "courant = 0 ", "courant", "need > 0 and at most 1", "0.3 is safe"),
     ("end = 0.2", "end = 0.0", "end", "time.end = 0.0", "larger than 0"),
@@ -219,8 +237,8 @@ const FAULTS: &[Case] = &[
     ("arrangement = \"equal-mass\"", "arrangement = \"grid\"", "arrangement", "\"grid\" is unknown", "known: equal-mass, square, hexagonal, cubic, close-packed, sampled, glass, file"),
     ("exact = \"riemann\"", "exact = \"sod\"", "exact", "output.exact = \"sod\"", "known: riemann, sedov, profile, reference"),
     ("name = \"sod\"", "name = \"../sod\"", "name", "name = \"../sod\" is not a plain name", "letters, digits"),
-    ("eta = 1.2", "eta = 1.2\nepsilon = 0.01", "epsilon", "both eta and epsilon", "keep one"),
-    ("eta = 1.2", "", "[cut-off]", "neither eta nor epsilon", "add `eta = 1.2`"),
+    ("eta = 1.0", "eta = 1.2\nepsilon = 0.01", "epsilon", "both eta and epsilon", "keep one"),
+    ("eta = 1.0", "", "[cut-off]", "neither eta nor epsilon", "add `eta = 1.2`"),
     ("lower = [0.0]", "lower = [0.25]", "exact", "the two regions do not touch", "exactly two regions"),
 ];
 

@@ -41,13 +41,15 @@ fn a_sound_wave_is_sampled_as_dense_as_it_is_down_to_small_amplitudes() {
         assert_near(mass(&particles), 8.0, 1e-12);
         for three in particles.windows(3) {
             let spaced = 2.0 * three[1].mass / (three[2].position[0] - three[0].position[0]);
-            let wave = amplitude * (2.0 * PI * (three[1].position[0] + 1.0) / 4.0).sin();
+            let wave = amplitude * (2.0 * PI * three[1].position[0] / 4.0).sin();
             // The mean over two spacings, off the value by (2 pi/500)^2/6 of the wave.
             let off = (spaced / 2.0 - 1.0 - wave).abs() / amplitude;
             assert!(off < 2e-4, "{off:e} at {:?}", three[1].position);
             let sound = (1.4f64 * 0.5 / 2.0).sqrt();
-            assert!((three[1].velocity[0] - sound * wave).abs() < 1e-14);
-            let pressure = 0.5 * (1.0 + 1.4 * wave);
+            // A simple wave: one entropy, one invariant.
+            let speed = 5.0 * sound * ((1.0 + wave).powf(0.2) - 1.0);
+            assert!((three[1].velocity[0] - speed).abs() < 1e-14);
+            let pressure = 0.5 * (1.0 + wave).powf(1.4);
             assert_near(three[1].pressure, pressure, 1e-14);
             assert_near(three[1].energy, pressure / (0.4 * three[1].density), 1e-14);
         }
@@ -131,6 +133,8 @@ fn assert_balanced(profile: &str, drift: f64, radii: &[f64]) {
         // Three particles 1e-4 apart, at r: a thin domain along x.
         let h = 1e-4;
         let domain = domain(&[r - 1.5 * h, -0.5 * h], &[r + 1.5 * h, 0.5 * h]);
+        // Not periodic: the vortex would be repeated.
+        let domain = domain.replace("periodic", "mirror");
         let resolution = "particles = 3\narrangement = \"square\"\nshare = \"volume\"";
         let three = with_profile(2, &domain, profile, resolution);
         let [a, b, c] = three.as_slice() else {
@@ -170,7 +174,7 @@ fn gresho_turns_as_published_and_its_mach_number_sets_the_pressure() {
         .iter()
         .min_by(|a, b| length(a.position).total_cmp(&length(b.position)));
     // 12.5 r^2 = 6e-4 above the centre at the innermost particle.
-    assert_near(innermost.unwrap().pressure, 1.0 / (1.4 * 0.25), 1e-3);
+    assert_near(innermost.unwrap().pressure, 1.0 / (1.4 * 0.25) - 0.5, 1e-3);
     let outside = particles.iter().filter(|p| length(p.position) > 0.4);
     assert!(outside.into_iter().all(|p| length(p.velocity) == 0.0));
 }

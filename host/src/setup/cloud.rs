@@ -375,6 +375,7 @@ impl Columns {
     }
 }
 
+/// The material of a row: a name, or its number from 0 as motes writes it.
 fn material(row: &Row<'_>, column: &Column, scenario: &Scenario) -> Result<u8, Fault> {
     let names = || {
         scenario
@@ -382,8 +383,11 @@ fn material(row: &Row<'_>, column: &Column, scenario: &Scenario) -> Result<u8, F
             .iter()
             .map(|material| material.name.as_str())
     };
-    let place = names().position(|name| name == row.field(column));
+    let field = row.field(column);
+    let place = names().position(|name| name == field);
+    let number = || field.parse().ok().filter(|&n| n < names().count());
     place
+        .or_else(number)
         .and_then(|place| u8::try_from(place).ok())
         .ok_or_else(|| {
             let known: Vec<&str> = names().collect();

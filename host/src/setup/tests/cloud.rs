@@ -56,11 +56,12 @@ fn what_motes_writes_reads_back_to_the_same_bits() {
     let sod = Scenario::read(Source::from("sod"), &["resolution.particles=90".to_owned()]);
     let before = particles(&sod.unwrap()).unwrap();
     let mut cloud =
-        "id,position,velocity,mass,density,pressure,energy,epsilon,neighbours\n".to_owned();
+        "id,position,velocity,mass,density,pressure,energy,epsilon,neighbours,material\n"
+            .to_owned();
     for (id, p) in before.iter().enumerate() {
         let (x, u) = ((p.position[0] + 1.0) / 2.0, p.velocity[0]);
         cloud += &format!(
-            "{id},{x},{u},{},{},{},{},0.1,7\n",
+            "{id},{x},{u},{},{},{},{},0.1,7,0\n",
             p.mass, p.density, p.pressure, p.energy
         );
     }

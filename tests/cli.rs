@@ -245,7 +245,14 @@ const BAD_INPUT: &[(&[&str], &[&str])] = &[
         &["duration", "fractional"],
     ),
     (
-        &["run", "sod", "--set", "region.0.density=1e308"],
+        &[
+            "run",
+            "sod",
+            "--set",
+            "region.0.density=1e250",
+            "--set",
+            "region.1.density=1e250",
+        ],
         &["unit", "nearer to 1"],
     ),
     (&["bench", "4d"], &["4d", "3d"]),

@@ -5,8 +5,8 @@
 //! the fastest. Elementary functions come from `libm` and random numbers from integers, so
 //! that a scenario gives the same bits on every platform.
 //!
-//! An arrangement is a file here: [`line`], [`square`], [`hexagonal`], [`cubic`],
-//! [`close_packed`], [`sampled`], [`glass`], [`cloud`].
+//! An arrangement is a file here: `line`, `square`, `hexagonal`, `cubic`,
+//! `close_packed`, `sampled`, `glass`, `cloud`.
 
 mod apportion;
 mod arrange;

@@ -210,9 +210,22 @@ fn the_switch_follows_the_rate_of_compression() {
 /// decay time leaves `1/(1+d)`, above the exponential by `d²/2` each.
 #[test]
 fn the_switch_decays_at_the_stated_rate() {
+    decays_at_the_stated_rate(switched());
+}
+
+/// Balsara's factor is that of a moment, 0 in a gas at rest: the switch does not remember it.
+#[test]
+fn balsaras_factor_leaves_the_memory_of_the_switch_alone() {
+    decays_at_the_stated_rate(Options {
+        balsara: true,
+        ..switched()
+    });
+}
+
+fn decays_at_the_stated_rate(options: Options<f64, 2>) {
     let (steps, dt) = (200, 0.02);
     let materials = [Isothermal::new(SOUND_SPEED)];
-    let mut setup = setup(lattice(COUNTS), periodic(COUNTS), &materials, switched());
+    let mut setup = setup(lattice(COUNTS), periodic(COUNTS), &materials, options);
     setup.gas().viscosity_factor.fill(1.0);
     setup.advance(steps, dt);
     let gas = setup.gas();

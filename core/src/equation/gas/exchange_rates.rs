@@ -195,7 +195,11 @@ where
                 };
                 node.linear = switch.factor(*row.viscosity_factor, &flow);
             }
-            *row.viscosity_factor = node.linear * node.factor;
+            // What the switch goes on from; Balsara's factor is that of a moment.
+            *row.viscosity_factor = match &self.physics.switch {
+                Some(_) => node.linear,
+                None => node.factor,
+            };
             *row.divergence = divergence(&gradient);
         }
     }

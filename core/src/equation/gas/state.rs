@@ -63,7 +63,8 @@ pub struct Gas<'a, S, const D: usize> {
     /// What `power` gains in a unit of time while the forces do not change; 0 but in
     /// [`EnergyForm::Exact`].
     pub power_slope: &'a mut [S],
-    /// Factor of the viscosity's α, in [0, 1]: see [`super::Switch`].
+    /// Factor of the viscosity's α, in [0, 1], that of [`super::Switch`]; without one
+    /// Balsara's factor of the whole viscosity.
     pub viscosity_factor: &'a mut [S],
     /// `div u`.
     pub divergence: &'a mut [S],

@@ -17,6 +17,10 @@ impl CutOff for CubicSpline {
         2
     }
 
+    fn smoothness<const D: usize>(self) -> u32 {
+        3
+    }
+
     fn normalisation<const D: usize>(self) -> f64 {
         match D {
             1 => 2.0 / 3.0,

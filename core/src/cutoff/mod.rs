@@ -1,4 +1,13 @@
-//! Cut-off functions `ζ` of order r = 2: even (1.22), compactly supported, of unit integral (2.5).
+//! Cut-off functions `ζ` of order r = 2, 4 and 6: even (1.22), compactly supported, of unit
+//! integral, with vanishing moments of degree 1 to r-1 (2.5).
+//!
+//! | | support | order r | smoothness in 1D, and in 2D and 3D |
+//! |---|---|---|---|
+//! | [`CubicSpline`], [`QuinticSpline`] | 2ε, 3ε | 2 | 3, 5 |
+//! | [`WendlandC2`], [`WendlandC4`], [`WendlandC6`] | 2ε | 2 | 3, 5, 7 and 4, 6, 8 |
+//! | [`RootFree`]`<M>` | ε | 2 | M |
+//! | [`QuinticSplineFour`] | 3ε | 4 | 4 |
+//! | [`Smooth`]`<M, R>` | 3ε | R | M - (R-2)/2 |
 //!
 //! Each is `ζ(x) = σ_D z(q)`, `q = |x|`, and is scaled as `ζ_ε(x) = ε^-D ζ(x/ε)` (1.12).
 //! The pair loops use the shape `z` and its derivatives; `σ_D` and the powers of `1/ε` are
@@ -15,7 +24,9 @@
 mod cubic_spline;
 mod named;
 mod quintic_spline;
+mod quintic_spline_four;
 mod root_free;
+mod smooth;
 #[cfg(test)]
 mod tests;
 mod wendland;
@@ -23,7 +34,9 @@ mod wendland;
 pub use cubic_spline::CubicSpline;
 pub use named::Named;
 pub use quintic_spline::QuinticSpline;
+pub use quintic_spline_four::QuinticSplineFour;
 pub use root_free::RootFree;
+pub use smooth::Smooth;
 pub use wendland::{WendlandC2, WendlandC4, WendlandC6};
 
 use crate::scalar::{Number, Scalar};
@@ -36,11 +49,17 @@ use crate::scalar::{Number, Scalar};
 pub trait CutOff: Copy + Send + Sync + 'static {
     /// Radius of the support in units of ε.
     fn support(self) -> u32;
+    /// The order `r`: moments of degree 1 to `r-1` vanish (2.5), that of degree `r` does not.
+    fn order(self) -> u32 {
+        2
+    }
+    /// The largest `j` with ζ in W^(j,1)(R^D): the `m + s` of Theorem 1.
+    fn smoothness<const D: usize>(self) -> u32;
     /// `σ_D`: makes the integral over R^D one.
     fn normalisation<const D: usize>(self) -> f64;
     /// `z(q)`.
     fn value<const D: usize, N: Number>(self, a: N) -> N;
-    /// `F(q) = z'(q)/q`, at most 0.
+    /// `F(q) = z'(q)/q`; at most 0 for order 2.
     fn gradient<const D: usize, N: Number>(self, a: N) -> N;
     /// `z''(q)`.
     fn curvature<const D: usize, N: Number>(self, a: N) -> N;

@@ -1,6 +1,9 @@
 //! A cut-off chosen while the program runs.
 
-use super::{CubicSpline, CutOff, QuinticSpline, RootFree, WendlandC2, WendlandC4, WendlandC6};
+use super::{
+    CubicSpline, CutOff, QuinticSpline, QuinticSplineFour, RootFree, Smooth, WendlandC2,
+    WendlandC4, WendlandC6,
+};
 use crate::scalar::{Number, Scalar};
 
 macro_rules! named {
@@ -35,6 +38,12 @@ macro_rules! named {
             fn support(self) -> u32 {
                 match self { $(Self::$variant => $value.support(),)* }
             }
+            fn order(self) -> u32 {
+                match self { $(Self::$variant => $value.order(),)* }
+            }
+            fn smoothness<const D: usize>(self) -> u32 {
+                match self { $(Self::$variant => $value.smoothness::<D>(),)* }
+            }
             fn normalisation<const D: usize>(self) -> f64 {
                 match self { $(Self::$variant => $value.normalisation::<D>(),)* }
             }
@@ -58,6 +67,10 @@ macro_rules! named {
             fn scale<S: Scalar>(self, inverse_epsilon: S) -> S {
                 match self { $(Self::$variant => $value.scale(inverse_epsilon),)* }
             }
+            #[inline]
+            fn edge<S: Scalar>(self) -> S {
+                match self { $(Self::$variant => $value.edge(),)* }
+            }
         }
     };
 }
@@ -75,4 +88,12 @@ named! {
     WendlandC6 => WendlandC6, "wendland-c6";
     /// [`RootFree`] with exponent 4.
     RootFree => RootFree::<4>, "root-free";
+    /// [`QuinticSplineFour`], of order 4.
+    QuinticSplineFour => QuinticSplineFour, "quintic-spline-4";
+    /// [`Smooth`] with exponent 7, of order 2.
+    SmoothTwo => Smooth::<7, 2>, "smooth-2";
+    /// [`Smooth`] with exponent 7, of order 4.
+    SmoothFour => Smooth::<7, 4>, "smooth-4";
+    /// [`Smooth`] with exponent 9, of order 6.
+    SmoothSix => Smooth::<9, 6>, "smooth-6";
 }

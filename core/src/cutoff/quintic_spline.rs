@@ -23,6 +23,10 @@ impl CutOff for QuinticSpline {
         3
     }
 
+    fn smoothness<const D: usize>(self) -> u32 {
+        5
+    }
+
     fn normalisation<const D: usize>(self) -> f64 {
         match D {
             1 => 64.0 / 120.0,
@@ -57,6 +61,14 @@ impl CutOff for QuinticSpline {
         N::literal(20.0 * SCALE)
             * (cube(a) - N::literal(6.0) * cube(b) + N::literal(15.0) * cube(c))
     }
+}
+
+/// The third derivative of the shape.
+#[inline(always)]
+pub(super) fn third_derivative<N: Number>(q: N) -> N {
+    let (a, b, c) = terms(q);
+    N::literal(-60.0 * SCALE)
+        * (square(a) - N::literal(6.0) * square(b) + N::literal(15.0) * square(c))
 }
 
 /// `(3-q)₊`, `(2-q)₊`, `(1-q)₊`.

@@ -14,7 +14,7 @@ pub struct RootFree<const M: usize>;
 
 /// `tⁿ`.
 #[inline(always)]
-fn power<N: Number>(t: N, n: usize) -> N {
+pub(super) fn power<N: Number>(t: N, n: usize) -> N {
     let mut result = N::literal(1.0);
     for _ in 0..n {
         result = result * t;
@@ -26,6 +26,10 @@ impl<const M: usize> CutOff for RootFree<M> {
     #[inline(always)]
     fn support(self) -> u32 {
         1
+    }
+
+    fn smoothness<const D: usize>(self) -> u32 {
+        M as u32
     }
 
     fn normalisation<const D: usize>(self) -> f64 {

@@ -38,6 +38,10 @@ impl CutOff for WendlandC2 {
         2
     }
 
+    fn smoothness<const D: usize>(self) -> u32 {
+        if D == 1 { 3 } else { 4 }
+    }
+
     fn normalisation<const D: usize>(self) -> f64 {
         match D {
             1 => 5.0 / 8.0,
@@ -85,6 +89,10 @@ impl CutOff for WendlandC4 {
     #[inline(always)]
     fn support(self) -> u32 {
         2
+    }
+
+    fn smoothness<const D: usize>(self) -> u32 {
+        if D == 1 { 5 } else { 6 }
     }
 
     fn normalisation<const D: usize>(self) -> f64 {
@@ -136,6 +144,10 @@ impl CutOff for WendlandC6 {
     #[inline(always)]
     fn support(self) -> u32 {
         2
+    }
+
+    fn smoothness<const D: usize>(self) -> u32 {
+        if D == 1 { 7 } else { 8 }
     }
 
     fn normalisation<const D: usize>(self) -> f64 {

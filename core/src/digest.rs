@@ -5,6 +5,7 @@ use core::fmt;
 use xxhash_rust::xxh64::xxh64;
 
 use crate::equation::gas::Gas;
+use crate::equation::linear::State;
 use crate::scalar::Scalar;
 
 /// A chain of XXH64: printed as 16 hexadecimal digits.
@@ -52,6 +53,16 @@ impl Digester {
         }
     }
 
+    /// Adds an array of vectors of sums of products: each 16 bytes, zero-extended.
+    pub fn wide<S: Scalar, const P: usize>(&mut self, values: &[[S::Wide; P]]) {
+        let nothing = S::product(S::ZERO, S::ZERO);
+        for &value in values.iter().flatten() {
+            // As for scalars: both zeros have one digest.
+            let bytes = S::wide_bits(S::wide_sum(value, nothing)).to_le_bytes();
+            self.0 = xxh64(&bytes, self.0);
+        }
+    }
+
     /// The digest of all that was added.
     pub fn digest(&self) -> Digest {
         Digest(self.0)
@@ -73,6 +84,18 @@ impl<S: Scalar, const D: usize> Gas<'_, S, D> {
         digester.scalars(self.power);
         digester.scalars(self.power_slope);
         digester.scalars(self.viscosity_factor);
+        digester.digest()
+    }
+}
+
+impl<S: Scalar, const D: usize, const P: usize> State<'_, S, D, P> {
+    /// The digest of the state: position, weight and strength, each for all particles in id
+    /// order.
+    pub fn digest(&self) -> Digest {
+        let mut digester = Digester::new();
+        digester.vectors(self.position);
+        digester.scalars(self.weight);
+        digester.wide::<S, P>(self.strength);
         digester.digest()
     }
 }

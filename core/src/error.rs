@@ -32,6 +32,10 @@ pub enum Quantity {
     Power,
     /// Time step.
     TimeStep,
+    /// Weight `w`.
+    Weight,
+    /// Strength `q = w u`.
+    Strength,
 }
 
 /// An error of the core. `particle` is an id: the place in the caller's arrays.
@@ -68,6 +72,11 @@ pub enum Error {
     },
     /// A position beyond the domain by more than its length.
     Outside {
+        /// Id of the particle.
+        particle: u32,
+    },
+    /// A weight that is not above zero.
+    Weight {
         /// Id of the particle.
         particle: u32,
     },
@@ -123,6 +132,8 @@ impl fmt::Display for Quantity {
             Self::Force => "force",
             Self::Power => "rate of internal energy",
             Self::TimeStep => "time step",
+            Self::Weight => "weight",
+            Self::Strength => "strength",
         })
     }
 }
@@ -161,6 +172,10 @@ impl fmt::Display for Error {
             Self::Outside { particle } => write!(
                 f,
                 "particle {particle} crossed the whole domain in one step: use a smaller time step"
+            ),
+            Self::Weight { particle } => write!(
+                f,
+                "the weight of particle {particle} is not above zero: weights are volumes"
             ),
             Self::Isolated { particle } => write!(
                 f,

@@ -7,7 +7,7 @@
 //! | [`WendlandC2`], [`WendlandC4`], [`WendlandC6`] | 2ε | 2 | 3, 5, 7 and 4, 6, 8 |
 //! | [`RootFree`]`<M>` | ε | 2 | M |
 //! | [`QuinticSplineFour`] | 3ε | 4 | 4 |
-//! | [`Smooth`]`<M, R>` | 3ε | R | M - (R-2)/2 |
+//! | [`Smooth`]`<M, R>` | 3ε | R | M |
 //!
 //! Each is `ζ(x) = σ_D z(q)`, `q = |x|`, and is scaled as `ζ_ε(x) = ε^-D ζ(x/ε)` (1.12).
 //! The pair loops use the shape `z` and its derivatives; `σ_D` and the powers of `1/ε` are

@@ -94,6 +94,6 @@ named! {
     SmoothTwo => Smooth::<7, 2>, "smooth-2";
     /// [`Smooth`] with exponent 7, of order 4.
     SmoothFour => Smooth::<7, 4>, "smooth-4";
-    /// [`Smooth`] with exponent 9, of order 6.
-    SmoothSix => Smooth::<9, 6>, "smooth-6";
+    /// [`Smooth`] with exponent 7, of order 6.
+    SmoothSix => Smooth::<7, 6>, "smooth-6";
 }

@@ -6,49 +6,53 @@ use super::root_free::power;
 use super::{CutOff, positive};
 use crate::scalar::{Number, Scalar};
 
-/// `z(q) = p(T) tᴹ` with `t = (1-q²/9)₊`, `T = q d/dq`, support 3ε: of order `R`, one of 2, 4
-/// and 6; `M >= 5`.
+/// `z(q) = p(q²) tᴹ` with `t = (1-q²/9)₊` and a polynomial `p` of degree `(R-2)/2`, support 3ε: of
+/// order `R`, one of 2, 4 and 6, and in W^(M,1); `M >= 4`.
 ///
-/// `T` multiplies the moments of degree `2j` by `-(D+2j)` (integrate by parts), so that
+/// With `N = M + (R-2)/2` and `T = q d/dq`:
 ///
-/// - order 2: `p = 1`
-/// - order 4: `p = (T+D+2)/2` takes away the second moments,
-/// - order 6: `p = (T+D+2)(T+D+4)/8` the fourth ones too,
+/// - order 2: `z = tᴺ`
+/// - order 4: `z = (T+D+2)/2 tᴺ`
+/// - order 6: `z = (T+D+2)(T+D+4)/8 tᴺ`
 ///
-/// and leaves the integral as it is. With `T tⁿ = 2n (tⁿ - tⁿ⁻¹)` all three are
-/// `c₀ tᴹ + c₁ tᴹ⁻¹ + c₂ tᴹ⁻²`. The lowest power that is there makes the smoothness: `z` lies in
-/// W^(M-(R-2)/2, 1). From order 4 on `z` is negative somewhere: fit for the linear systems,
-/// not for the density of a gas.
+/// since `T` multiplies the moments of degree `2j` by `-(D+2j)` (integrate by parts): the second
+/// moments vanish, then the fourth ones too, and the integral stays as it is. With
+/// `T tⁿ = 2n (tⁿ - tⁿ⁻¹)` all three are `c₀ tᴺ + c₁ tᴺ⁻¹ + c₂ tᴺ⁻²`. From order 4 on `z` is negative
+/// somewhere: fit for the linear systems, not for the density of a gas.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Smooth<const M: usize, const R: usize>;
 
 impl<const M: usize, const R: usize> Smooth<M, R> {
+    /// `N`, the highest power.
+    const HIGHEST: usize = M + R / 2 - 1;
+
     /// `c₀, c₁, c₂`.
     fn coefficients<const D: usize>() -> [f64; 3] {
-        let (m, d) = (M as f64, D as f64);
+        let (n, d) = (Self::HIGHEST as f64, D as f64);
         match R {
             2 => [1.0, 0.0, 0.0],
-            4 => [m + 0.5 * d + 1.0, -m, 0.0],
+            4 => [n + 0.5 * d + 1.0, -n, 0.0],
             _ => [
-                (2.0 * m + d + 4.0) * (2.0 * m + d + 2.0) / 8.0,
-                -0.5 * m * (2.0 * m + d + 2.0),
-                0.5 * m * (m - 1.0),
+                (2.0 * n + d + 4.0) * (2.0 * n + d + 2.0) / 8.0,
+                -0.5 * n * (2.0 * n + d + 2.0),
+                0.5 * n * (n - 1.0),
             ],
         }
     }
 
-    /// `Σ_j c_j Π_(i<derivative) (M-j-i) tᴹ⁻ʲ⁻ⁱ`: the derivative of that order in `t`.
+    /// `Σ_j c_j Π_(i<derivative) (N-j-i) tᴺ⁻ʲ⁻ⁱ`: the derivative of that order in `t`.
     #[inline(always)]
     fn derivative<const D: usize, N: Number>(t: N, derivative: usize) -> N {
         let c = Self::coefficients::<D>();
         let terms = R / 2;
-        let factor = |j: usize| (0..derivative).fold(c[j], |f, i| f * (M - j - i) as f64);
+        let factor =
+            |j: usize| (0..derivative).fold(c[j], |f, i| f * (Self::HIGHEST - j - i) as f64);
         // Horner in t over the lowest power that is there.
         let mut sum = N::literal(factor(0));
         for j in 1..terms {
             sum = sum * t + N::literal(factor(j));
         }
-        sum * power(t, M + 1 - terms - derivative)
+        sum * power(t, M - derivative)
     }
 }
 
@@ -63,17 +67,17 @@ impl<const M: usize, const R: usize> CutOff for Smooth<M, R> {
     }
 
     fn smoothness<const D: usize>(self) -> u32 {
-        (M + 1 - R / 2) as u32
+        M as u32
     }
 
     fn normalisation<const D: usize>(self) -> f64 {
-        // 3^D times the integral of (1-q²)^M, as for the root-free cut-off.
+        // 3^D times the integral of (1-q²)^N, as for the root-free cut-off.
         let mut integral = match D {
             1 => 6.0,
             2 => 9.0 * PI,
             _ => 36.0 * PI,
         };
-        for m in 1..=M {
+        for m in 1..=Self::HIGHEST {
             integral *= 2.0 * m as f64 / (2 * m + D) as f64;
         }
         1.0 / integral

@@ -2,3 +2,4 @@
 //! [`Law`](crate::pairs::Law) and what goes with it.
 
 pub mod gas;
+pub mod linear;

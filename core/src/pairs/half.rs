@@ -29,7 +29,9 @@ pub fn half<S: Scalar, const D: usize, W: Law<S, D>>(
     for (place, settled) in settled.iter_mut().enumerate() {
         let mut sums = settled.sums.splat::<S>();
         let cell = cells.cell(place);
-        mirror_terms(law, cells, nodes, place, &cell, &settled.node, &mut sums);
+        if let Some(site) = cells.sites().get(place) {
+            mirror_terms(law, cells, nodes, site, &cell, &settled.node, &mut sums);
+        }
         settled.sums = W::Sums::lane::<S>(&sums, 0);
         if !law.close(&mut settled.node, &settled.sums) {
             receive(law, cells, nodes, place, settled);

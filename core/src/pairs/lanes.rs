@@ -190,14 +190,9 @@ fn add_mirrors<S: Scalar, const D: usize, W: Law<S, D>>(
     settled: &mut Settled<W::Node, W::Sums>,
 ) {
     let mut sums = settled.sums.splat::<S>();
-    mirror_terms(
-        law,
-        cells,
-        nodes,
-        place,
-        &cells.cell(place),
-        &settled.node,
-        &mut sums,
-    );
+    let cell = cells.cell(place);
+    if let Some(site) = cells.sites().get(place) {
+        mirror_terms(law, cells, nodes, site, &cell, &settled.node, &mut sums);
+    }
     settled.sums = W::Sums::lane::<S>(&sums, 0);
 }

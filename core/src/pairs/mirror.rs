@@ -3,10 +3,10 @@
 
 use super::law::{Fields, Law};
 use super::run::run_terms;
-use crate::neighbours::Cells;
+use crate::neighbours::{Cells, Site};
 use crate::scalar::Scalar;
 
-/// Adds the terms of the mirror images to the sums of the receiver at `place` in `cell`.
+/// Adds the terms of the mirror images to the sums of a receiver at `site` in `cell`.
 ///
 /// Walls are counted in base 3, the first direction slowest: 0 no wall, 1 the lower, 2 the
 /// upper one; images across two or three walls at an edge or corner are among them.
@@ -14,7 +14,7 @@ pub(super) fn mirror_terms<S: Scalar, const D: usize, W: Law<S, D>>(
     law: &W,
     cells: &Cells<'_, S, D>,
     nodes: &[W::Node],
-    place: usize,
+    site: &Site<S, D>,
     cell: &[u32; D],
     node: &W::Node,
     sums: &mut <W::Sums as Fields<S>>::Of<S>,
@@ -29,7 +29,7 @@ pub(super) fn mirror_terms<S: Scalar, const D: usize, W: Law<S, D>>(
             (*wall, rest) = ((rest % 3) as u8, rest / 3);
         }
         for run in &cells.mirror_runs(cell, &mirror) {
-            run_terms(law, cells, nodes, place, node, run, sums);
+            run_terms(law, cells, nodes, site, node, run, sums);
         }
     }
 }

@@ -20,4 +20,4 @@ pub use half::half;
 pub use kernel::{Kernel, Operands, Portable, Receivers, find, sum};
 pub use lanes::{Block, Blocks, List, lanes};
 pub use law::{Fields, Law, Settled};
-pub use plain::plain;
+pub use plain::{plain, receive_at};

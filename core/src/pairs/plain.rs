@@ -3,7 +3,7 @@
 use super::law::{Fields, Law, Settled};
 use super::mirror::mirror_terms;
 use super::run::run_terms;
-use crate::neighbours::Cells;
+use crate::neighbours::{Cells, Site};
 use crate::scalar::Scalar;
 
 /// Evaluates `law` for the receivers `first..first + settled.len()` of the sorted order.
@@ -28,14 +28,27 @@ pub(super) fn receive<S: Scalar, const D: usize, W: Law<S, D>>(
     place: usize,
     settled: &mut Settled<W::Node, W::Sums>,
 ) {
-    let cell = cells.cell(place);
+    if let Some(site) = cells.sites().get(place) {
+        receive_at(law, cells, nodes, site, settled);
+    }
+}
+
+/// The same for a receiver anywhere: it need not be a particle.
+pub fn receive_at<S: Scalar, const D: usize, W: Law<S, D>>(
+    law: &W,
+    cells: &Cells<'_, S, D>,
+    nodes: &[W::Node],
+    site: &Site<S, D>,
+    settled: &mut Settled<W::Node, W::Sums>,
+) {
+    let cell = cells.grid().coordinates(&site.position);
     let runs = cells.runs(&cell, cell.last().copied().unwrap_or(0));
     loop {
         let mut sums = W::Sums::ZERO.splat::<S>();
         for run in &runs {
-            run_terms(law, cells, nodes, place, &settled.node, run, &mut sums);
+            run_terms(law, cells, nodes, site, &settled.node, run, &mut sums);
         }
-        mirror_terms(law, cells, nodes, place, &cell, &settled.node, &mut sums);
+        mirror_terms(law, cells, nodes, site, &cell, &settled.node, &mut sums);
         settled.sums = W::Sums::lane::<S>(&sums, 0);
         if law.close(&mut settled.node, &settled.sums) {
             return;

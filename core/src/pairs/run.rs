@@ -1,26 +1,22 @@
 //! The terms of one run on one receiver.
 
 use super::law::{Fields, Law};
-use crate::neighbours::{Cells, Run, code};
+use crate::neighbours::{Cells, Run, Site, code};
 use crate::scalar::{Number, Scalar};
 
-/// Adds the terms of one run to the sums of the receiver at `place`.
+/// Adds the terms of one run to the sums of a receiver at `site`.
 #[inline(always)]
 pub(super) fn run_terms<S: Scalar, const D: usize, W: Law<S, D>>(
     law: &W,
     cells: &Cells<'_, S, D>,
     nodes: &[W::Node],
-    place: usize,
+    site: &Site<S, D>,
     node: &W::Node,
     run: &Run<D>,
     sums: &mut <W::Sums as Fields<S>>::Of<S>,
 ) {
     let range = run.start as usize..run.end as usize;
-    let (Some(site), Some(partners), Some(shown)) = (
-        cells.sites().get(place),
-        cells.sites().get(range.clone()),
-        nodes.get(range),
-    ) else {
+    let (Some(partners), Some(shown)) = (cells.sites().get(range.clone()), nodes.get(range)) else {
         return;
     };
     let offsets = cells.grid().offsets(run.image);

@@ -20,6 +20,15 @@ pub struct Checked<S> {
     pub overflowed: bool,
 }
 
+/// A sum of products of [`Checked`] scalars.
+#[derive(Clone, Copy, Debug)]
+pub struct CheckedWide<S: Scalar> {
+    wide: S::Wide,
+    /// What it would be without a limit of range.
+    unlimited: f64,
+    overflowed: bool,
+}
+
 impl<S: Scalar> Checked<S> {
     /// A value that has seen no overflow.
     #[inline(always)]
@@ -156,15 +165,26 @@ impl<S: Scalar> Scalar for Checked<S> {
     const EXTRAPOLATION: Self = Self::new(S::EXTRAPOLATION);
     const TINIEST: Self = Self::new(S::TINIEST);
 
-    type Wide = Self;
-    fn product(a: Self, b: Self) -> Self {
-        a * b
+    type Wide = CheckedWide<S>;
+    fn product(a: Self, b: Self) -> CheckedWide<S> {
+        CheckedWide {
+            wide: S::product(a.value, b.value),
+            unlimited: a.value.to_f64() * b.value.to_f64(),
+            overflowed: a.overflowed | b.overflowed,
+        }
     }
-    fn wide_sum(a: Self, b: Self) -> Self {
-        a + b
+    fn wide_sum(a: CheckedWide<S>, b: CheckedWide<S>) -> CheckedWide<S> {
+        CheckedWide {
+            wide: S::wide_sum(a.wide, b.wide),
+            unlimited: a.unlimited + b.unlimited,
+            overflowed: a.overflowed | b.overflowed,
+        }
     }
-    fn rounded(wide: Self) -> Self {
-        wide
+    fn rounded(wide: CheckedWide<S>) -> Self {
+        Self::of(S::rounded(wide.wide), wide.unlimited, wide.overflowed)
+    }
+    fn wide_bits(wide: CheckedWide<S>) -> u128 {
+        S::wide_bits(wide.wide)
     }
     fn near(self) -> Self {
         Self {

@@ -211,6 +211,10 @@ macro_rules! fixed_point {
                 Self::round(wide)
             }
             #[inline(always)]
+            fn wide_bits(wide: $wide) -> u128 {
+                wide as $wide_unsigned as u128
+            }
+            #[inline(always)]
             fn near(self) -> Self {
                 Self::from_bits(self.to_bits().clamp(-Self::LIMIT, Self::LIMIT))
             }

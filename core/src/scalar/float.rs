@@ -93,6 +93,10 @@ macro_rules! float {
                 wide
             }
             #[inline(always)]
+            fn wide_bits(wide: Self) -> u128 {
+                u128::from(wide.to_bits())
+            }
+            #[inline(always)]
             fn near(self) -> Self {
                 // Squares of floats within any domain are far from overflow.
                 self

@@ -129,6 +129,10 @@ impl Scalar for Micro {
         wide
     }
     #[inline(always)]
+    fn wide_bits(wide: Self) -> u128 {
+        f32::wide_bits(wide.0)
+    }
+    #[inline(always)]
     fn near(self) -> Self {
         self
     }

@@ -11,14 +11,16 @@ mod lanes;
 mod micro;
 #[cfg(test)]
 mod tests;
+mod turns;
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-pub use checked::Checked;
+pub use checked::{Checked, CheckedWide};
 pub use fixed_point::{Q32, Q64};
 pub use lanes::Lanes;
 pub use micro::Micro;
+pub use turns::{cosine_of_turns, sine_of_turns};
 
 /// A scalar, or several of them side by side: what a law computes with.
 pub trait Number:
@@ -91,13 +93,15 @@ pub trait Scalar: Number<Scalar = Self> + PartialOrd + Debug + Send + Sync + 'st
     const TINIEST: Self;
 
     /// What an exact product of two scalars is kept in: double width in fixed point.
-    type Wide: Copy;
+    type Wide: Copy + Debug + Send + Sync + 'static;
     /// `a b`, exact where [`Self::Wide`] is wider.
     fn product(a: Self, b: Self) -> Self::Wide;
     /// The sum of two products.
     fn wide_sum(a: Self::Wide, b: Self::Wide) -> Self::Wide;
     /// A sum of products, rounded once.
     fn rounded(wide: Self::Wide) -> Self;
+    /// The bit pattern of a sum of products, for digests.
+    fn wide_bits(wide: Self::Wide) -> u128;
     /// A component of a displacement, cut off at ±[`Scalar::REACH_LIMIT`].
     fn near(self) -> Self;
 

@@ -160,3 +160,27 @@ fn the_approximate_root_is_within_six_per_cent() {
     assert!((0.01..0.07).contains(&worst), "{worst}");
     assert_eq!(Micro(0.0).sqrt().0, 0.0);
 }
+
+#[test]
+fn sines_are_those_of_the_library_to_the_rounding_of_the_format() {
+    fn worst<S: Scalar>() -> f64 {
+        let errors = (-400..=400).map(|i| {
+            let turns = f64::from(i) * 0.003_717;
+            let x = S::from_f64(turns);
+            let angle = core::f64::consts::TAU * x.to_f64();
+            let sine = sine_of_turns(x).to_f64() - libm::sin(angle);
+            let cosine = cosine_of_turns(x).to_f64() - libm::cos(angle);
+            sine.abs().max(cosine.abs())
+        });
+        errors.fold(0.0, f64::max)
+    }
+    assert!(worst::<f64>() < 4e-15, "{}", worst::<f64>());
+    assert!(worst::<f32>() < 1e-6, "{}", worst::<f32>());
+    // Ten roundings of 2^-20.
+    assert!(worst::<Q32<U19>>() < 1e-5, "{}", worst::<Q32<U19>>());
+    assert!(worst::<Q31_32>() < 2e-9, "{}", worst::<Q31_32>());
+    for quarter in 0..8 {
+        let exact = [0.0, 1.0, 0.0, -1.0][quarter % 4];
+        assert_eq!(sine_of_turns(0.25 * quarter as f64), exact);
+    }
+}

@@ -1,0 +1,221 @@
+//! The pair term of (1.18).
+
+use crate::cutoff::CutOff;
+use crate::pairs::{Fields, Law};
+use crate::scalar::{Number, Scalar};
+
+use super::system::FirstOrderSystem;
+
+/// What a particle shows: over a number `N`, with the medium `M`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SystemNode<N, M, const D: usize, const P: usize> {
+    /// Weight `w`.
+    pub weight: N,
+    /// `v - a`: how fast the state moves through the particles.
+    pub drift: [N; D],
+    /// `u`.
+    pub value: [N; P],
+    /// What the coupling needs to know of the place.
+    pub medium: M,
+}
+
+impl<S: Scalar, M: Fields<S>, const D: usize, const P: usize> Fields<S> for SystemNode<S, M, D, P> {
+    type Of<N: Number<Scalar = S>> = SystemNode<N, M::Of<N>, D, P>;
+    const ZERO: Self = Self {
+        weight: S::ZERO,
+        drift: [S::ZERO; D],
+        value: [S::ZERO; P],
+        medium: M::ZERO,
+    };
+
+    #[inline(always)]
+    fn splat<N: Number<Scalar = S>>(&self) -> SystemNode<N, M::Of<N>, D, P> {
+        SystemNode {
+            weight: N::splat(self.weight),
+            drift: self.drift.map(N::splat),
+            value: self.value.map(N::splat),
+            medium: self.medium.splat(),
+        }
+    }
+    #[inline(always)]
+    fn gather<'a, N: Number<Scalar = S>>(
+        records: impl Iterator<Item = &'a Self>,
+    ) -> SystemNode<N, M::Of<N>, D, P>
+    where
+        Self: 'a,
+    {
+        let mut of = Self::ZERO.splat::<N>();
+        // Read twice: once for the numbers, once for the medium. There are at most 16 lanes.
+        let mut media = [M::ZERO; 16];
+        for (i, (record, medium)) in records.take(N::LANES).zip(&mut media).enumerate() {
+            of.weight.set_lane(i, record.weight);
+            for j in 0..D {
+                of.drift[j].set_lane(i, record.drift[j]);
+            }
+            for j in 0..P {
+                of.value[j].set_lane(i, record.value[j]);
+            }
+            *medium = record.medium;
+        }
+        of.medium = M::gather(media.iter());
+        of
+    }
+    #[inline(always)]
+    fn lane<N: Number<Scalar = S>>(of: &SystemNode<N, M::Of<N>, D, P>, i: usize) -> Self {
+        Self {
+            weight: of.weight.lane(i),
+            drift: core::array::from_fn(|j| of.drift[j].lane(i)),
+            value: core::array::from_fn(|j| of.value[j].lane(i)),
+            medium: M::lane(&of.medium, i),
+        }
+    }
+}
+
+/// What it receives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SystemSums<N, const P: usize> {
+    /// `ε dq/dt` of the pairs.
+    pub rate: [N; P],
+    /// Particles within the support, itself among them.
+    pub partners: N,
+}
+
+impl<S: Scalar, const P: usize> Fields<S> for SystemSums<S, P> {
+    type Of<N: Number<Scalar = S>> = SystemSums<N, P>;
+    const ZERO: Self = Self {
+        rate: [S::ZERO; P],
+        partners: S::ZERO,
+    };
+
+    #[inline(always)]
+    fn splat<N: Number<Scalar = S>>(&self) -> SystemSums<N, P> {
+        SystemSums {
+            rate: self.rate.map(N::splat),
+            partners: N::splat(self.partners),
+        }
+    }
+    #[inline(always)]
+    fn gather<'a, N: Number<Scalar = S>>(
+        records: impl Iterator<Item = &'a Self>,
+    ) -> SystemSums<N, P>
+    where
+        Self: 'a,
+    {
+        let mut of = Self::ZERO.splat::<N>();
+        for (i, record) in records.take(N::LANES).enumerate() {
+            of.partners.set_lane(i, record.partners);
+            for j in 0..P {
+                of.rate[j].set_lane(i, record.rate[j]);
+            }
+        }
+        of
+    }
+    #[inline(always)]
+    fn lane<N: Number<Scalar = S>>(of: &SystemSums<N, P>, i: usize) -> Self {
+        Self {
+            rate: core::array::from_fn(|j| of.rate[j].lane(i)),
+            partners: of.partners.lane(i),
+        }
+    }
+}
+
+/// (1.18) with one ε: `ε d(w_k u_k)/dt = - Σ_l w_k w_l ε Σ_i (B_k^i u_l + B_l^i u_k) ∂_i ζ_ε`.
+///
+/// With `n = r/ε` the gradient is `ε ∇ζ_ε = σ ε^-D F(q) n`, and
+/// `Σ_i n_i (B_k^i u_l + B_l^i u_k) = Σ_i n_i (C_k^i u_l + C_l^i u_k) + (d_k·n) u_l + (d_l·n) u_k`,
+/// `d = v - a`. Every factor but `n` is the same seen from either side, so what `l` receives is
+/// the exact negative of what `k` does.
+#[derive(Clone, Copy, Debug)]
+pub struct Coupling<'a, S, C, F, const P: usize> {
+    /// The system.
+    pub system: &'a F,
+    /// ζ.
+    pub cut_off: C,
+    /// `1/ε`.
+    pub inverse_epsilon: S,
+    /// What turns `|r|` into the argument of the cut-off.
+    pub scale: S,
+    /// `σ ε^-D`.
+    pub height: S,
+}
+
+impl<'a, S: Scalar, C: CutOff, F, const P: usize> Coupling<'a, S, C, F, P> {
+    /// The law of a system with that cut-off and width, in `D` dimensions.
+    pub fn new<const D: usize>(system: &'a F, cut_off: C, epsilon: S) -> Self {
+        let inverse_epsilon = S::ONE / epsilon;
+        Self {
+            system,
+            cut_off,
+            inverse_epsilon,
+            scale: cut_off.scale(inverse_epsilon),
+            height: S::from_f64(cut_off.normalisation::<D>()) / epsilon.powi(D),
+        }
+    }
+}
+
+impl<S, C, F, const D: usize, const P: usize> Law<S, D> for Coupling<'_, S, C, F, P>
+where
+    S: Scalar,
+    C: CutOff,
+    F: FirstOrderSystem<S, D, P>,
+{
+    type Node = SystemNode<S, F::Medium, D, P>;
+    type Sums = SystemSums<S, P>;
+
+    #[inline(always)]
+    fn pair<N: Number<Scalar = S>>(
+        &self,
+        k: &<Self::Node as Fields<S>>::Of<N>,
+        l: &<Self::Node as Fields<S>>::Of<N>,
+        r: &[N; D],
+        distance_squared: N,
+        to_k: &mut SystemSums<N, P>,
+        to_l: &mut SystemSums<N, P>,
+    ) {
+        let a = self.cut_off.argument(distance_squared) * N::splat(self.scale);
+        let gradient = N::splat(self.height) * self.cut_off.gradient::<D, N>(a);
+        let factor = (k.weight * l.weight) * gradient;
+        let mut n = *r;
+        for i in 0..D {
+            n[i] = r[i] * N::splat(self.inverse_epsilon);
+        }
+        let flux = if F::IS_UNIFORM {
+            let mut sum = k.value;
+            for j in 0..P {
+                sum[j] = k.value[j] + l.value[j];
+            }
+            self.system.flux(&k.medium, &n, &sum)
+        } else {
+            let there = self.system.flux(&k.medium, &n, &l.value);
+            let mut sum = self.system.flux(&l.medium, &n, &k.value);
+            for j in 0..P {
+                sum[j] += there[j];
+            }
+            sum
+        };
+        let from_k = N::dot(&k.drift, &n);
+        let from_l = N::dot(&l.drift, &n);
+        for j in 0..P {
+            let carried = from_k * l.value[j] + from_l * k.value[j];
+            let term = factor * (flux[j] + carried);
+            to_k.rate[j] -= term;
+            to_l.rate[j] += term;
+        }
+        let near = a.below(N::splat(self.cut_off.edge()));
+        to_k.partners += near;
+        to_l.partners += near;
+    }
+
+    fn reflected(&self, node: &Self::Node, axis: usize) -> Self::Node {
+        let mut drift = node.drift;
+        if let Some(component) = drift.get_mut(axis) {
+            *component = -*component;
+        }
+        SystemNode {
+            weight: node.weight,
+            drift,
+            value: self.system.reflected(&node.value, axis),
+            medium: self.system.reflected_medium(&node.medium, axis),
+        }
+    }
+}

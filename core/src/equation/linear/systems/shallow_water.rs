@@ -1,0 +1,69 @@
+//! Linear shallow water on a turning plane.
+
+use super::super::system::{FirstOrderSystem, Nothing, Place, mirrored};
+use super::Units;
+use crate::scalar::{Number, Scalar};
+
+/// `∂η/∂t + H div v = 0`, `∂v/∂t + g ∇η + f ẑ×v = 0`: `u = (η, v_x, v_y)`, Coriolis in `A⁰`.
+///
+/// Symmetriser `diag(g, H, H)`: twice the energy over the density. At a wall `v` is odd along the
+/// normal; with `f` not 0 the surface has a slope there that a mirror image has not, and the wall
+/// is of first order only.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShallowWater<S> {
+    /// `g`.
+    gravity: S,
+    /// `H`.
+    depth: S,
+    /// `f`.
+    coriolis: S,
+    /// `√(gH)`.
+    speed: S,
+}
+
+impl<S: Scalar> ShallowWater<S> {
+    /// Of water with gravity and depth > 0; `coriolis`: `f`, twice the rate of turning.
+    pub fn new(gravity: f64, depth: f64, coriolis: f64, units: Units) -> Self {
+        let (gravity, depth) = (units.flux(gravity), units.flux(depth));
+        Self {
+            gravity: S::from_f64(gravity),
+            depth: S::from_f64(depth),
+            coriolis: S::from_f64(units.rate(coriolis)),
+            speed: S::from_f64(Number::sqrt(gravity * depth)),
+        }
+    }
+}
+
+impl<S: Scalar> FirstOrderSystem<S, 2, 3> for ShallowWater<S> {
+    type Medium = Nothing;
+    const IS_UNIFORM: bool = true;
+
+    fn medium(&self, _: &Place<S, 2>) -> Nothing {
+        Nothing
+    }
+    #[inline(always)]
+    fn flux<N: Number<Scalar = S>>(&self, _: &Nothing, n: &[N; 2], u: &[N; 3]) -> [N; 3] {
+        let [elevation, x, y] = *u;
+        let push = N::splat(self.gravity) * elevation;
+        [
+            N::splat(self.depth) * N::dot(n, &[x, y]),
+            n[0] * push,
+            n[1] * push,
+        ]
+    }
+    fn decay(&self, _: &Place<S, 2>, u: &[S; 3]) -> [S; 3] {
+        [S::ZERO, -(self.coriolis * u[2]), self.coriolis * u[1]]
+    }
+    fn speed(&self, _: &Nothing) -> S {
+        self.speed
+    }
+    fn damping(&self) -> S {
+        self.coriolis.abs()
+    }
+    fn symmetrised(&self, _: &Nothing, u: &[S; 3]) -> [S; 3] {
+        [self.gravity * u[0], self.depth * u[1], self.depth * u[2]]
+    }
+    fn reflected(&self, u: &[S; 3], axis: usize) -> [S; 3] {
+        mirrored(u, 1, axis)
+    }
+}

@@ -12,7 +12,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use miette::{IntoDiagnostic, WrapErr};
 
-use crate::scenario::{Scenario, Source};
+use crate::scenario::{AnyScenario, Source};
 use arguments::{Arguments, Command};
 
 /// What the program ends with.
@@ -67,8 +67,10 @@ fn print(text: &str) -> Result<(), Failure> {
 fn list() -> Result<(), Failure> {
     for built_in in crate::scenario::BUILT_IN {
         let source = Source::BuiltIn(built_in.name.to_owned());
-        let scenario = Scenario::read(source, &[]).map_err(|error| Failure::Input(error.into()))?;
-        print(&format!("{:<20} {}\n", scenario.name, scenario.description))?;
+        let scenario = AnyScenario::read(source, &[]);
+        let scenario = scenario.map_err(|error| Failure::Input(error.into()))?;
+        let (name, description) = (scenario.name(), scenario.description());
+        print(&format!("{name:<20} {description}\n"))?;
     }
     Ok(())
 }

@@ -51,3 +51,10 @@ pub(super) const THETA: Bound = Bound {
     holds: |value| value > 0.0 && value <= 1.0,
     cure: "1 keeps the number of neighbours; 0.75 lets it grow as the spacing falls",
 };
+
+pub(super) const DISTORTION: Bound = Bound {
+    need: "> 0 and at most 0.15",
+    holds: |value| value > 0.0 && value <= 0.15,
+    cure: "give the largest displacement in lengths of the domain, for example 0.05: near 0.159 \
+           particles would meet",
+};

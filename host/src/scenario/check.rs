@@ -1,45 +1,124 @@
-//! From TOML text to a checked [`Scenario`].
+//! From TOML text to a checked scenario.
 
+use std::ops::Range;
 use std::path::Path;
 
+use toml::Spanned;
 use toml::de::DeTable;
 
 use super::error::{Fault, ScenarioError};
-use super::keys::ROOT;
+use super::keys::{Family, ROOT};
 use super::problem::Problem;
 use super::section::Section;
-use super::{Arrangement, Domain};
-use super::{Gas, Scenario, Units};
+use super::source::Source;
+use super::{AnyScenario, Arrangement, Domain, Gas, LinearScenario, Scenario, Units};
 use super::{
-    cut_off, geometry, inflow, material, method, output, profile, region, resolution, tolerance,
+    cut_off, geometry, inflow, linear, material, method, output, profile, region, resolution, set,
+    tolerance,
 };
 
-/// The scenario that `text`, called `name`, describes; files it names are in `folder`.
-pub(super) fn scenario(text: String, name: &str, folder: &Path) -> Result<Scenario, ScenarioError> {
-    let scenario = parsed(&text, folder).map_err(|fault| fault.within(name, &text))?;
-    Ok(Scenario { text, ..scenario })
+/// Reads a source with the `overrides` on top, through `parsed`: it gets the text and the
+/// folder of the files that the text names.
+pub(super) fn read<T>(
+    source: &Source,
+    overrides: &[String],
+    parsed: impl FnOnce(&str, &Path) -> Result<T, Fault>,
+) -> Result<T, ScenarioError> {
+    let (mut text, mut name) = (source.text()?, source.to_string());
+    if !overrides.is_empty() {
+        text = set::with_overrides(&text, &name, overrides)?;
+        name.push_str(" after --set");
+    }
+    parsed(&text, source.folder()).map_err(|fault| fault.within(&name, &text))
 }
 
-fn parsed(text: &str, folder: &Path) -> Result<Scenario, Fault> {
-    let end = text.trim_end().len();
-    let document = DeTable::parse(text).map_err(|error| {
+/// A scenario of either family.
+pub(super) fn any(text: &str, folder: &Path) -> Result<AnyScenario, Fault> {
+    let document = document(text)?;
+    let (family, _) = family(&document);
+    Ok(match family {
+        Family::Gas => AnyScenario::Gas(Box::new(gas(text, folder)?)),
+        Family::Linear => AnyScenario::Linear(Box::new(linear(text, folder)?)),
+    })
+}
+
+/// A scenario that describes a gas.
+pub(super) fn gas(text: &str, folder: &Path) -> Result<Scenario, Fault> {
+    let document = document(text)?;
+    scenario(&root(text, &document, Family::Gas)?, folder, text)
+}
+
+/// A scenario that describes a linear system.
+pub(super) fn linear(text: &str, folder: &Path) -> Result<LinearScenario, Fault> {
+    let document = document(text)?;
+    linear::scenario(&root(text, &document, Family::Linear)?, folder, text)
+}
+
+fn document(text: &str) -> Result<Spanned<DeTable<'_>>, Fault> {
+    DeTable::parse(text).map_err(|error| {
+        let end = text.trim_end().len();
         let message = error.message().to_owned();
-        Fault::new(
-            Problem::Syntax { message },
-            error.span().unwrap_or(end..end),
-        )
-    })?;
-    let root = Section::open(ROOT, document.get_ref(), end..end)?;
-    let section = |key| root.required(key)?.section();
-    let name = plain_name(&root)?;
-    let description = label(&root, "description", "")?;
+        let span = error.span().unwrap_or(end..end);
+        Fault::new(Problem::Syntax { message }, span)
+    })
+}
+
+/// The family that a text is of, and where it says so.
+fn family(document: &Spanned<DeTable<'_>>) -> (Family, Option<Range<usize>>) {
+    let mut keys = document.get_ref().keys();
+    let system = keys.find(|key| key.get_ref() == "system");
+    let span = system.map(|system| system.span());
+    (Family::of(span.is_some()), span)
+}
+
+/// The keys above all sections, of a text that must be of a family.
+fn root<'a>(
+    text: &str,
+    document: &'a Spanned<DeTable<'a>>,
+    wanted: Family,
+) -> Result<Section<'a>, Fault> {
+    let end = text.trim_end().len();
+    let (family, span) = family(document);
+    if family != wanted {
+        let problem = Problem::WrongFamily { family };
+        return Err(Fault::new(problem, span.unwrap_or(end..end)));
+    }
+    Section::open(family, ROOT, document.get_ref(), end..end)
+}
+
+/// What gases and linear systems have in common.
+pub(super) struct Heading {
+    pub name: String,
+    pub description: String,
+    pub dimension: usize,
+    pub units: Units,
+    pub domain: Domain,
+}
+
+/// The keys above all sections, `[units]` and `[domain]`.
+pub(super) fn heading(root: &Section<'_>) -> Result<Heading, Fault> {
+    let name = plain_name(root)?;
+    let description = label(root, "description", "")?;
     let dimension = root.required("dimension")?.count(
         3,
         "1, 2 or 3",
         "give the number of directions of space",
     )?;
-    let domain = geometry::domain(&section("domain")?, dimension)?;
-    let gas = gas(&root, &domain)?;
+    let domain = geometry::domain(&root.required("domain")?.section()?, dimension)?;
+    Ok(Heading {
+        name,
+        description,
+        dimension,
+        units: units(root)?,
+        domain,
+    })
+}
+
+fn scenario(root: &Section<'_>, folder: &Path, text: &str) -> Result<Scenario, Fault> {
+    let section = |key| root.required(key)?.section();
+    let heading = heading(root)?;
+    let (dimension, domain) = (heading.dimension, heading.domain);
+    let gas = state(root, &domain)?;
     let resolution = resolution::resolution(
         &section("resolution")?,
         folder,
@@ -51,35 +130,35 @@ fn parsed(text: &str, folder: &Path) -> Result<Scenario, Fault> {
     if !described && !matches!(resolution.arrangement, Arrangement::File(_)) {
         return Err(Fault::new(Problem::Gas { both: false }, root.span()));
     }
-    let output = output::output(&root, &domain.extent, &gas)?;
-    inflow::check_output(&root, &domain, &output)?;
+    let output = output::output(root, &domain.extent, &gas)?;
+    inflow::check_output(root, &domain, &output)?;
     Ok(Scenario {
-        name,
-        description,
+        name: heading.name,
+        description: heading.description,
         dimension,
-        units: units(&root)?,
-        inflow: inflow::inflow(&root, &domain, &gas.materials)?,
+        units: heading.units,
+        inflow: inflow::inflow(root, &domain, &gas.materials)?,
         domain,
         regions: gas.regions,
         profile: gas.profile,
         materials: gas.materials,
         deposits: gas.deposits,
         resolution,
-        weights: method::weights(&root)?,
-        cut_off: cut_off::cut_off(&root, dimension)?,
-        viscosity: method::viscosity(&root)?,
-        conduction: method::conduction(&root)?,
-        diffusion: method::diffusion(&root)?,
-        acceleration: method::acceleration(&root, dimension)?,
+        weights: method::weights(root)?,
+        cut_off: cut_off::of_gas(root, dimension)?,
+        viscosity: method::viscosity(root)?,
+        conduction: method::conduction(root)?,
+        diffusion: method::diffusion(root)?,
+        acceleration: method::acceleration(root, dimension)?,
         time: method::time(&section("time")?)?,
-        tolerances: tolerance::tolerances(&root, &output)?,
+        tolerances: tolerance::of_gas(root, output.exact.is_some())?,
         output,
-        text: String::new(),
+        text: text.to_owned(),
     })
 }
 
 /// What there is at t = 0.
-fn gas(root: &Section<'_>, domain: &Domain) -> Result<Gas, Fault> {
+fn state(root: &Section<'_>, domain: &Domain) -> Result<Gas, Fault> {
     let materials = material::materials(root)?;
     let (region, profile) = (root.optional("region"), root.optional("profile"));
     if let (Some(_), Some(profile)) = (&region, &profile) {

@@ -36,6 +36,7 @@ pub enum CutOffShape {
 pub enum Width {
     /// `eps_k = eta h^(theta - 1) (m_k/rho_k)^(1/dimension)`, h the mean spacing at the start
     /// as a number of the scenario's unit of length: `eps = eta h^theta` where the gas is even.
+    /// For a linear system `eps = eta h^theta` everywhere and at all times.
     Adaptive {
         /// > 0; in mean spacings where theta is 1.
         eta: f64,
@@ -59,6 +60,14 @@ impl Width {
             Self::Constant { .. } => 1.0,
         }
     }
+
+    /// ε where the spacing is `h`, both as numbers of the scenario's unit of length.
+    pub fn epsilon(&self, h: f64) -> f64 {
+        match *self {
+            Self::Adaptive { .. } => h * self.spacings(h),
+            Self::Constant { epsilon } => epsilon,
+        }
+    }
 }
 
 const SHAPES: &[(&str, CutOffShape)] = &[
@@ -71,9 +80,9 @@ const SHAPES: &[(&str, CutOffShape)] = &[
 ];
 
 impl CutOff {
-    /// Where a scenario names none: M4 in one dimension, Wendland's C2 in two and three, where
+    /// Where a gas names none: M4 in one dimension, Wendland's C2 in two and three, where
     /// particles under a spline clump in pairs.
-    fn usual(dimension: usize) -> Self {
+    fn of_gas(dimension: usize) -> Self {
         let (shape, eta) = match dimension {
             1 => (CutOffShape::CubicSpline, 1.0),
             _ => (CutOffShape::WendlandC2, 1.3),
@@ -83,22 +92,57 @@ impl CutOff {
     }
 }
 
-/// `[cut-off]`.
-pub(super) fn cut_off(root: &Section<'_>, dimension: usize) -> Result<CutOff, Fault> {
+/// Of a linear system that names none: shape, eta and theta. M6 is smooth enough for
+/// `epsilon = eta h^0.75`: both errors of Theorem 1 fall with the spacing.
+const OF_LINEAR: (CutOffShape, f64, f64) = (CutOffShape::QuinticSpline, 0.7, 0.75);
+
+/// `[cut-off]` of a gas: a shape and a width, or neither.
+pub(super) fn of_gas(root: &Section<'_>, dimension: usize) -> Result<CutOff, Fault> {
     let Some(entry) = root.optional("cut-off") else {
-        return Ok(CutOff::usual(dimension));
+        return Ok(CutOff::of_gas(dimension));
     };
     let section = &entry.section()?;
     let shape = section.required("name")?.choice(SHAPES)?;
+    let width = width(section, 1.0)?;
+    let missing = || Fault::new(Problem::Width { both: false }, section.span());
+    let width = width.ok_or_else(missing)?;
+    Ok(CutOff { shape, width })
+}
+
+/// `[cut-off]` of a linear system: each key has a default.
+pub(super) fn of_linear(root: &Section<'_>) -> Result<CutOff, Fault> {
+    let (shape, eta, theta) = OF_LINEAR;
+    let usual = Width::Adaptive { eta, theta };
+    let Some(entry) = root.optional("cut-off") else {
+        let width = usual;
+        return Ok(CutOff { shape, width });
+    };
+    let section = &entry.section()?;
+    let name = section.optional("name");
+    let alone = section.optional("theta");
+    Ok(CutOff {
+        shape: name.map_or(Ok(shape), |name| name.choice(SHAPES))?,
+        width: match (width(section, theta)?, alone) {
+            (Some(width), _) => width,
+            (None, None) => usual,
+            (None, Some(theta)) => Width::Adaptive {
+                eta,
+                theta: theta.number(THETA)?,
+            },
+        },
+    })
+}
+
+/// The width that `eta` or `epsilon` gives, if there is one of them.
+fn width(section: &Section<'_>, usual_theta: f64) -> Result<Option<Width>, Fault> {
+    let theta = section.optional("theta");
     let width = match (section.optional("eta"), section.optional("epsilon")) {
         (Some(eta), None) => Width::Adaptive {
             eta: eta.number(POSITIVE)?,
-            theta: section
-                .optional("theta")
-                .map_or(Ok(1.0), |theta| theta.number(THETA))?,
+            theta: theta.map_or(Ok(usual_theta), |theta| theta.number(THETA))?,
         },
         (None, Some(epsilon)) => {
-            if let Some(theta) = section.optional("theta") {
+            if let Some(theta) = theta {
                 let reason = "epsilon is a width of its own".to_owned();
                 return Err(theta.does_not_fit(reason, "give eta with theta, or epsilon alone"));
             }
@@ -107,7 +151,7 @@ pub(super) fn cut_off(root: &Section<'_>, dimension: usize) -> Result<CutOff, Fa
             }
         }
         (Some(_), Some(epsilon)) => return Err(epsilon.fault(Problem::Width { both: true })),
-        (None, None) => return Err(Fault::new(Problem::Width { both: false }, section.span())),
+        (None, None) => return Ok(None),
     };
-    Ok(CutOff { shape, width })
+    Ok(Some(width))
 }

@@ -39,20 +39,8 @@ fn extent(section: &Section<'_>, dimension: usize) -> Result<Extent, Fault> {
 pub(super) fn extent_inside(section: &Section<'_>, domain: &Extent) -> Result<Extent, Fault> {
     let extent = extent(section, domain.lower.len())?;
     for (name, corner) in [("lower", &extent.lower), ("upper", &extent.upper)] {
-        let bounds = domain.lower.iter().zip(&domain.upper);
-        for ((&value, (&lower, &upper)), axis) in corner.iter().zip(bounds).zip(AXES) {
-            if value < lower || value > upper {
-                let key = format!("{}.{name}", section.path());
-                let entry = section.required(name)?;
-                return Err(entry.fault(Problem::OutsideDomain {
-                    key,
-                    axis,
-                    value,
-                    lower,
-                    upper,
-                }));
-            }
-        }
+        let entry = section.required(name)?;
+        check_inside(&entry, corner, domain)?;
     }
     Ok(extent)
 }
@@ -149,12 +137,17 @@ fn shared(a: &Extent, b: &Extent) -> Option<(char, f64, f64)> {
     thinnest.filter(|_| overlaps)
 }
 
-/// The ball of `section`, whose centre must lie in the domain.
-pub(super) fn ball(section: &Section<'_>, domain: &Extent) -> Result<Ball, Fault> {
-    let entry = section.required("center")?;
-    let center = entry.vector(domain.lower.len())?;
+/// A point that must lie in the domain.
+pub(super) fn point_inside(entry: &Entry<'_>, domain: &Extent) -> Result<Vec<f64>, Fault> {
+    let point = entry.vector(domain.lower.len())?;
+    check_inside(entry, &point, domain)?;
+    Ok(point)
+}
+
+/// That the point of an entry lies in the domain.
+fn check_inside(entry: &Entry<'_>, point: &[f64], domain: &Extent) -> Result<(), Fault> {
     let bounds = domain.lower.iter().zip(&domain.upper);
-    for ((&value, (&lower, &upper)), axis) in center.iter().zip(bounds).zip(AXES) {
+    for ((&value, (&lower, &upper)), axis) in point.iter().zip(bounds).zip(AXES) {
         if value < lower || value > upper {
             return Err(entry.fault(Problem::OutsideDomain {
                 key: entry.key().to_owned(),
@@ -165,6 +158,12 @@ pub(super) fn ball(section: &Section<'_>, domain: &Extent) -> Result<Ball, Fault
             }));
         }
     }
+    Ok(())
+}
+
+/// The ball of `section`, whose centre must lie in the domain.
+pub(super) fn ball(section: &Section<'_>, domain: &Extent) -> Result<Ball, Fault> {
+    let center = point_inside(&section.required("center")?, domain)?;
     let radius = section.required("radius")?.number(POSITIVE)?;
     Ok(Ball { center, radius })
 }

@@ -185,7 +185,7 @@ fn law(section: &Section<'_>) -> Result<EquationOfState, Fault> {
                 1..=15,
                 "1 to 15",
                 "give a whole number: 7 for water",
-            )? as u32,
+            )?,
         },
     })
 }

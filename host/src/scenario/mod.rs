@@ -1,8 +1,10 @@
 //! Scenarios: what to simulate, read from TOML and checked once.
 //!
-//! After [`Scenario::read`] every number is finite and in its range, every list
+//! A file describes a gas ([`Scenario`]) or, with `[system]`, a linear first-order system
+//! ([`LinearScenario`]); [`AnyScenario`] is either. After reading, every number is finite and in its range, every list
 //! has the scenario's dimension, and every box lies in the domain.
 
+mod any;
 mod bound;
 mod builtin;
 mod check;
@@ -11,6 +13,7 @@ mod error;
 mod geometry;
 mod inflow;
 mod keys;
+pub mod linear;
 mod material;
 mod method;
 mod nearest;
@@ -26,10 +29,13 @@ mod source;
 mod tests;
 mod tolerance;
 
+pub use any::AnyScenario;
 pub use builtin::{BUILT_IN, BuiltIn, built_in};
 pub use cut_off::{CutOff, CutOffShape, Width};
 pub use error::ScenarioError;
 pub use inflow::Inflow;
+pub use keys::Family;
+pub use linear::LinearScenario;
 pub use material::{EquationOfState, Material};
 pub use method::{Diffusion, EnergyRule, Switch, Time, Viscosity, ViscosityKind, Weights};
 pub use output::{Exact, Interval, Output, Ring, SnapshotFormat, Snapshots};
@@ -40,7 +46,7 @@ pub use resolution::{Arrangement, Resolution, Share};
 pub use source::Source;
 pub use tolerance::{Field, Norm, Tolerance};
 
-/// What to simulate. All numbers are in the scenario's own units.
+/// A gas to simulate. All numbers are in the scenario's own units.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Scenario {
@@ -175,20 +181,14 @@ struct Gas {
 }
 
 impl Scenario {
-    /// Reads a scenario; `overrides` are `section.key=value` as given to `--set`,
+    /// Reads a scenario that describes a gas; `overrides` are `section.key=value` as given to `--set`,
     /// the later ones on top of the earlier.
     ///
     /// # Errors
     /// Whatever keeps the text from being a scenario: the first fault found, with
-    /// its place and cure.
+    /// its place and cure. A linear system is one.
     pub fn read(source: Source, overrides: &[String]) -> Result<Self, ScenarioError> {
-        let original = source.text()?;
-        let folder = source.folder();
-        if overrides.is_empty() {
-            return check::scenario(original, &source.to_string(), folder);
-        }
-        let text = set::with_overrides(&original, &source.to_string(), overrides)?;
-        check::scenario(text, &format!("{source} after --set"), folder)
+        check::read(&source, overrides, check::gas)
     }
 
     /// The direction across which the two regions of a Riemann problem touch; none if it is

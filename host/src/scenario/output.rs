@@ -4,7 +4,7 @@ use super::bound::{NOT_NEGATIVE, POSITIVE};
 use super::error::Fault;
 use super::geometry;
 use super::material::EquationOfState;
-use super::section::{Entry, Section};
+use super::section::Section;
 use super::{Extent, Gas};
 
 /// What is written and measured.
@@ -84,7 +84,7 @@ const FORMATS: &[(&str, SnapshotFormat)] =
     &[("vtu", SnapshotFormat::Vtu), ("csv", SnapshotFormat::Csv)];
 
 /// Rows of the time series where none are given.
-const DEFAULT_SAMPLES: usize = 100;
+pub(super) const DEFAULT_SAMPLES: usize = 100;
 
 /// `[output]`.
 pub(super) fn output(root: &Section<'_>, domain: &Extent, gas: &Gas) -> Result<Output, Fault> {
@@ -99,13 +99,9 @@ pub(super) fn output(root: &Section<'_>, domain: &Extent, gas: &Gas) -> Result<O
         return Ok(output);
     };
     let section = entry.section()?;
-    if let Some(window) = section.optional("window") {
-        output.window = geometry::extent_inside(&window.section()?, domain)?;
-    }
-    if let Some(samples) = section.optional("samples") {
-        let cure = "give the number of rows of the time series, for example 100";
-        output.samples = samples.count(u32::MAX, "1 to 4294967295", cure)?;
-    }
+    output.window = window(&section, domain)?;
+    output.samples = samples(&section)?;
+    output.snapshots = snapshots(&section)?;
     if let Some(entry) = section.optional("exact") {
         let chosen = entry.choice(EXACT)?;
         if let Err((reason, cure)) = exists(chosen, domain.lower.len(), gas) {
@@ -116,10 +112,24 @@ pub(super) fn output(root: &Section<'_>, domain: &Extent, gas: &Gas) -> Result<O
     if let Some(entry) = section.optional("ring") {
         output.ring = Some(ring(&entry.section()?, domain.lower.len())?);
     }
-    if let Some(entry) = section.optional("snapshots") {
-        output.snapshots = Some(snapshots(&entry)?);
-    }
     Ok(output)
+}
+
+/// Where errors are measured: the domain unless told.
+pub(super) fn window(section: &Section<'_>, domain: &Extent) -> Result<Extent, Fault> {
+    match section.optional("window") {
+        Some(window) => geometry::extent_inside(&window.section()?, domain),
+        None => Ok(domain.clone()),
+    }
+}
+
+/// Rows of the time series.
+pub(super) fn samples(section: &Section<'_>) -> Result<usize, Fault> {
+    let cure = "give the number of rows of the time series, for example 100";
+    let samples = section.optional("samples");
+    samples.map_or(Ok(DEFAULT_SAMPLES), |samples| {
+        samples.count(u32::MAX, "1 to 4294967295", cure)
+    })
 }
 
 /// That the solution exists for this gas, or why not and what it takes.
@@ -199,7 +209,11 @@ fn ring(section: &Section<'_>, dimension: usize) -> Result<Ring, Fault> {
     })
 }
 
-fn snapshots(entry: &Entry<'_>) -> Result<Snapshots, Fault> {
+/// States on the way, if any are written.
+pub(super) fn snapshots(section: &Section<'_>) -> Result<Option<Snapshots>, Fault> {
+    let Some(entry) = section.optional("snapshots") else {
+        return Ok(None);
+    };
     let section = entry.section()?;
     let interval = match (section.optional("every"), section.optional("steps")) {
         (Some(every), None) => Interval::Time(every.number(POSITIVE)?),
@@ -216,5 +230,5 @@ fn snapshots(entry: &Entry<'_>) -> Result<Snapshots, Fault> {
     };
     let format = section.optional("format");
     let format = format.map_or(Ok(SnapshotFormat::Vtu), |entry| entry.choice(FORMATS))?;
-    Ok(Snapshots { interval, format })
+    Ok(Some(Snapshots { interval, format }))
 }

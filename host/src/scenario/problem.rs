@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-use super::keys::{Key, LISTS, example, keys_of};
+use super::keys::{Family, LISTS};
 use super::nearest::nearest;
 
 /// What is wrong with a scenario. `Display` states it with the offending value;
@@ -40,10 +40,28 @@ pub enum Problem {
 
     /// A key that its section does not have.
     #[error("unknown key `{key}` {}", within(section))]
-    UnknownKey { key: String, section: String },
+    UnknownKey {
+        key: String,
+        section: String,
+        known: Vec<String>,
+    },
+    /// A key of a gas where a linear system is described, or the reverse.
+    #[error("`{key}` {} goes with {}", within(section), whose(family.other()))]
+    OtherFamily {
+        key: String,
+        section: String,
+        family: Family,
+    },
+    /// A scenario of the family that the caller does not take.
+    #[error("this scenario describes {}", whose(*family))]
+    WrongFamily { family: Family },
     /// A key that its section needs.
     #[error("`{key}` is missing {}", within(section))]
-    MissingKey { key: &'static str, section: String },
+    MissingKey {
+        key: &'static str,
+        section: String,
+        example: &'static str,
+    },
     /// A value of another type than the key takes.
     #[error("{key} = {value} is {found}, need {need}")]
     WrongType {
@@ -134,10 +152,15 @@ pub enum Problem {
         key: String,
         unknown: String,
         section: String,
+        known: Vec<&'static str>,
     },
     /// A `--set` of a whole section.
     #[error("--set {key} names a section, need one of its keys")]
-    SetSection { key: String, section: String },
+    SetSection {
+        key: String,
+        section: String,
+        known: Vec<&'static str>,
+    },
     /// A `--set` of a region, material or deposit that does not exist.
     #[error("--set {key}: there is no {list} {index}, the file has {count}")]
     SetIndex {
@@ -188,14 +211,17 @@ impl Problem {
                 "for example --set material.gamma=1.4 or --set region.0.density=2".to_owned()
             }
             Self::SetKey {
-                unknown, section, ..
-            } => known_keys(unknown, section),
-            Self::SetSection { section, .. } => match keys_of(section).first() {
-                Some(Key { name, .. }) => format!(
+                unknown,
+                section,
+                known,
+                ..
+            } => known_keys(unknown, section, known),
+            Self::SetSection { section, known, .. } => match known.first() {
+                Some(name) => format!(
                     "for example --set {section}.{name}=...; {}",
-                    known_keys("", section)
+                    known_keys("", section, known)
                 ),
-                None => known_keys("", ""),
+                None => known_keys("", "", known),
             },
             Self::SetIndex { count: 0, list, .. } => format!("add a [[{list}]] to the file"),
             Self::SetIndex { count, list, .. } => {
@@ -212,10 +238,19 @@ impl Problem {
     /// The cure where a key or its value is at fault.
     fn help_on_value(&self) -> String {
         match self {
-            Self::UnknownKey { key, section } => known_keys(key, section),
-            Self::MissingKey { key, section } => {
-                format!("add for example `{}`", example(section, key))
-            }
+            Self::UnknownKey {
+                key,
+                section,
+                known,
+            } => known_keys(key, section, known),
+            Self::OtherFamily { key, family, .. } => family_cure(key, *family),
+            Self::WrongFamily {
+                family: Family::Linear,
+            } => "[system] makes it a linear system, and this is for a gas only".to_owned(),
+            Self::WrongFamily {
+                family: Family::Gas,
+            } => "a linear system has [system] with its kind; this is for those only".to_owned(),
+            Self::MissingKey { example, .. } => format!("add for example `{example}`"),
             Self::WrongType { example, .. } => format!("write for example `{example}`"),
             Self::NotFinite { key, .. } => {
                 format!("give {key} an ordinary number, at most 1.7e308 in size")
@@ -245,8 +280,8 @@ impl Problem {
             Self::HalfPeriodic { .. } => "what leaves at a periodic side comes in at the other: \
                  write \"periodic\" for the direction, or another side at both ends"
                 .to_owned(),
-            Self::Width { both: true } => "keep one: eta (width in mean spacings, adapts to the \
-                 density) or epsilon (constant width, a length)"
+            Self::Width { both: true } => "keep one: eta (width in mean spacings; that of a gas \
+                 adapts to the density) or epsilon (constant width, a length)"
                 .to_owned(),
             Self::Width { both: false } => "add `eta = 1.2` (width in mean spacings, adapts to \
                  the density) or `epsilon = 0.01` (constant width, a length)"
@@ -274,14 +309,37 @@ fn within(section: &str) -> String {
 }
 
 /// "did you mean ...? the keys of [section] are: ..."
-fn known_keys(key: &str, section: &str) -> String {
-    let names: Vec<&str> = keys_of(section).iter().map(|key| key.name).collect();
+fn known_keys(key: &str, section: &str, known: &[impl AsRef<str>]) -> String {
+    let names: Vec<&str> = known.iter().map(AsRef::as_ref).collect();
     format!(
         "{}the keys {} are: {}",
         did_you_mean(key, names.iter().copied()),
         within(section),
         names.join(", ")
     )
+}
+
+/// What scenarios of a family describe.
+fn whose(family: Family) -> &'static str {
+    match family {
+        Family::Gas => "a gas",
+        Family::Linear => "a linear system",
+    }
+}
+
+/// What to do with a key that goes with the other family.
+fn family_cure(key: &str, family: Family) -> String {
+    let instead = match (family, key) {
+        (Family::Gas, _) => "this scenario has no [system], which makes it a gas",
+        (_, "region" | "profile" | "inflow" | "deposit") => {
+            "[initial] says what there is at t = 0 in a linear system"
+        }
+        (_, "material") => "[system] holds the constants of a linear system",
+        (_, "viscosity" | "conduction") => "a linear system has no shocks to smooth",
+        (_, "weights") => "a particle of a linear system carries its weight",
+        _ => "[system] makes this scenario a linear system",
+    };
+    format!("take `{key}` out: {instead}")
 }
 
 fn did_you_mean<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {

@@ -88,11 +88,7 @@ pub(super) fn resolution(
         let cure = "take `file` out, or set arrangement = \"file\"";
         return Err(file.does_not_fit(reason, cure));
     }
-    let particles = section.required("particles")?.count(
-        u32::MAX,
-        "1 to 4294967295",
-        "give the number of particles in the whole domain, for example 900",
-    )?;
+    let particles = particles(section)?;
     fits(&entry, &arrangement, domain.extent.lower.len(), profile)?;
     let share = section.optional("share");
     let resolution = Resolution {
@@ -130,6 +126,20 @@ pub(super) fn resolution(
     Ok(resolution)
 }
 
+/// How many particles there are in the whole domain.
+pub(super) fn particles(section: &Section<'_>) -> Result<usize, Fault> {
+    section.required("particles")?.count(
+        u32::MAX,
+        "1 to 4294967295",
+        "give the number of particles in the whole domain, for example 900",
+    )
+}
+
+/// The file that holds the particles.
+pub(super) fn file(section: &Section<'_>, folder: &Path) -> Result<PathBuf, Fault> {
+    Ok(folder.join(section.required("file")?.text()?))
+}
+
 fn seed(entry: &Entry<'_>) -> Result<u64, Fault> {
     entry.whole(
         0..=u64::from(u32::MAX),
@@ -140,10 +150,9 @@ fn seed(entry: &Entry<'_>) -> Result<u64, Fault> {
 
 fn from_file(section: &Section<'_>, folder: &Path) -> Result<Resolution, Fault> {
     section.only("arrangement = \"file\"", &["arrangement"], &["file"])?;
-    let file = folder.join(section.required("file")?.text()?);
     Ok(Resolution {
         particles: 0,
-        arrangement: Arrangement::File(file),
+        arrangement: Arrangement::File(file(section, folder)?),
         share: Share::Mass,
         rotation: None,
         seed: 1,
@@ -191,7 +200,7 @@ fn rotation(
     }
     let whole = |entry: &Entry<'_>| {
         entry.whole(
-            0..=1000,
+            0..=1000_u32,
             "0 to 1000",
             "give a small whole number, as in rotation = [1, 2]",
         )
@@ -200,7 +209,7 @@ fn rotation(
     let [p, q] = entries.as_slice() else {
         return Err(entry.wrong_type("a pair of whole numbers"));
     };
-    let (p, q) = (whole(p)? as u32, whole(q)? as u32);
+    let (p, q) = (whole(p)?, whole(q)?);
     // Turned by 0 or 90 degrees it is itself.
     if p == 0 || q == 0 {
         return Ok(None);

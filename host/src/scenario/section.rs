@@ -6,7 +6,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::Fault;
-use super::keys::{self, example, keys_of};
+use super::keys::{self, Family, example};
 use super::problem::Problem;
 
 type Value<'a> = Spanned<DeValue<'a>>;
@@ -14,6 +14,7 @@ type Value<'a> = Spanned<DeValue<'a>>;
 /// A section of which every key is known.
 #[derive(Debug, Clone)]
 pub(super) struct Section<'a> {
+    family: Family,
     path: String,
     table: &'a DeTable<'a>,
     span: Range<usize>,
@@ -22,6 +23,7 @@ pub(super) struct Section<'a> {
 /// One value, with the key that leads to it.
 #[derive(Debug, Clone)]
 pub(super) struct Entry<'a> {
+    family: Family,
     key: String,
     example: &'static str,
     value: &'a Value<'a>,
@@ -50,33 +52,51 @@ impl<'a> Section<'a> {
     ///
     /// # Errors
     /// The first key, in the order of the text, that the section does not have.
-    pub fn open(path: &str, table: &'a DeTable<'a>, span: Range<usize>) -> Result<Self, Fault> {
-        let known = keys_of(path);
+    pub fn open(
+        family: Family,
+        path: &str,
+        table: &'a DeTable<'a>,
+        span: Range<usize>,
+    ) -> Result<Self, Fault> {
         let unknown = table
             .keys()
-            .filter(|key| {
-                !known
-                    .iter()
-                    .any(|known| known.name == key.get_ref().as_ref())
-            })
+            .filter(|key| !keys::has(family, path, key.get_ref()))
             .min_by_key(|key| key.span().start);
-        if let Some(key) = unknown {
-            let problem = Problem::UnknownKey {
-                key: key.get_ref().to_string(),
-                section: path.to_owned(),
-            };
-            return Err(Fault::new(problem, key.span()));
-        }
-        let path = path.to_owned();
-        Ok(Self { path, table, span })
+        let section = path.to_owned();
+        let Some(key) = unknown else {
+            return Ok(Self {
+                family,
+                path: section,
+                table,
+                span,
+            });
+        };
+        let span = key.span();
+        let key = key.get_ref().to_string();
+        let problem = if keys::has(family.other(), path, &key) {
+            Problem::OtherFamily {
+                key,
+                section,
+                family,
+            }
+        } else {
+            let known = keys::names(family, path).map(str::to_owned).collect();
+            Problem::UnknownKey {
+                key,
+                section,
+                known,
+            }
+        };
+        Err(Fault::new(problem, span))
     }
 
     /// The value of a key, if it is there.
-    pub fn optional(&self, key: &'static str) -> Option<Entry<'a>> {
+    pub fn optional(&self, key: &str) -> Option<Entry<'a>> {
         let (_, value) = self.table.iter().find(|(name, _)| name.get_ref() == key)?;
         Some(Entry {
+            family: self.family,
             key: keys::path(&self.path, key),
-            example: example(&self.path, key),
+            example: example(self.family, &self.path, key),
             value,
         })
     }
@@ -86,10 +106,43 @@ impl<'a> Section<'a> {
         self.optional(key).ok_or_else(|| self.missing(key))
     }
 
+    /// A number that must be there.
+    pub fn number(&self, key: &'static str, bound: Bound) -> Result<f64, Fault> {
+        self.required(key)?.number(bound)
+    }
+
+    /// A number, or what it is without the key.
+    pub fn number_or(&self, key: &str, usual: f64, bound: Bound) -> Result<f64, Fault> {
+        let entry = self.optional(key);
+        entry.map_or(Ok(usual), |entry| entry.number(bound))
+    }
+
     /// The fault that a key is missing.
     pub fn missing(&self, key: &'static str) -> Fault {
-        let section = self.path.clone();
-        Fault::new(Problem::MissingKey { key, section }, self.span())
+        let problem = Problem::MissingKey {
+            key,
+            section: self.path.clone(),
+            example: example(self.family, &self.path, key),
+        };
+        Fault::new(problem, self.span())
+    }
+
+    /// That it has no keys but the `known` ones, where the text itself says what they are.
+    ///
+    /// # Errors
+    /// The first other key, in the order of the text.
+    pub fn is_among<'n>(&self, known: impl Iterator<Item = &'n str> + Clone) -> Result<(), Fault> {
+        let is_known = |key: &str| known.clone().any(|known| known == key);
+        let other = self.table.keys().filter(|key| !is_known(key.get_ref()));
+        let Some(key) = other.min_by_key(|key| key.span().start) else {
+            return Ok(());
+        };
+        let problem = Problem::UnknownKey {
+            key: key.get_ref().to_string(),
+            section: self.path.clone(),
+            known: known.map(str::to_owned).collect(),
+        };
+        Err(Fault::new(problem, key.span()))
     }
 
     /// That it has no keys but those of its `kind` and the `common` ones.
@@ -181,22 +234,22 @@ impl<'a> Entry<'a> {
 
     /// A whole number in `1..=most`.
     pub fn count(&self, most: u32, need: &'static str, cure: &'static str) -> Result<usize, Fault> {
-        let value = self.whole(1..=u64::from(most), need, cure)?;
-        usize::try_from(value).map_err(|_| self.out_of_range(need, cure))
+        let most = usize::try_from(most).unwrap_or(usize::MAX);
+        self.whole(1..=most, need, cure)
     }
 
     /// A whole number in a range.
-    pub fn whole(
+    pub fn whole<T: TryFrom<i128> + PartialOrd>(
         &self,
-        range: RangeInclusive<u64>,
+        range: RangeInclusive<T>,
         need: &'static str,
         cure: &'static str,
-    ) -> Result<u64, Fault> {
+    ) -> Result<T, Fault> {
         let DeValue::Integer(integer) = self.value.get_ref() else {
             return Err(self.wrong_type("a whole number"));
         };
         integer_value(integer)
-            .and_then(|value| u64::try_from(value).ok())
+            .and_then(|value| T::try_from(value).ok())
             .filter(|value| range.contains(value))
             .ok_or_else(|| self.out_of_range(need, cure))
     }
@@ -245,6 +298,7 @@ impl<'a> Entry<'a> {
             return Err(self.wrong_type(need));
         };
         let entry = |(index, value)| Entry {
+            family: self.family,
             key: format!("{}.{index}", self.key),
             example: self.example,
             value,
@@ -274,7 +328,7 @@ impl<'a> Entry<'a> {
     /// A section, or a table in braces.
     pub fn section(&self) -> Result<Section<'a>, Fault> {
         match self.value.get_ref() {
-            DeValue::Table(table) => Section::open(&self.key, table, self.span()),
+            DeValue::Table(table) => Section::open(self.family, &self.key, table, self.span()),
             _ => Err(self.wrong_type("a section")),
         }
     }

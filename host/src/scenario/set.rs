@@ -4,7 +4,7 @@
 use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 
 use super::error::{Fault, Place, ScenarioError};
-use super::keys::{self, LISTS, ROOT, keys_of};
+use super::keys::{self, Family, LISTS, ROOT};
 use super::problem::Problem;
 
 /// The text with the changes made, comments and the order of keys kept.
@@ -46,7 +46,10 @@ fn apply(document: &mut DocumentMut, argument: &str) -> Result<(), Box<Problem>>
     }
     let value = parsed(path, value)?;
     let keys: Vec<&str> = path.split('.').collect();
-    place(document.as_table_mut(), path, &keys, value)
+    let is_system = |key: &str| key == "system";
+    let has_system = document.iter().any(|(key, _)| is_system(key));
+    let family = Family::of(has_system || keys.first().is_some_and(|key| is_system(key)));
+    place(document.as_table_mut(), family, path, &keys, value)
 }
 
 /// A TOML value, or a bare word as text.
@@ -66,44 +69,47 @@ fn parsed(key: &str, text: &str) -> Result<Value, Box<Problem>> {
 
 /// Walks the sections that `keys` name, makes those that are missing, and puts
 /// the value in place.
-fn place(root: &mut Table, path: &str, keys: &[&str], value: Value) -> Result<(), Box<Problem>> {
+fn place(
+    root: &mut Table,
+    family: Family,
+    path: &str,
+    keys: &[&str],
+    value: Value,
+) -> Result<(), Box<Problem>> {
     let mut section = ROOT.to_owned();
     let mut table: &mut dyn TableLike = root;
     let mut keys = keys.iter().copied();
     while let Some(key) = keys.next() {
-        if !keys_of(&section).iter().any(|known| known.name == key) {
-            return Err(unknown(path, key, &section));
+        if !keys::has(family, &section, key) {
+            return Err(unknown(family, path, key, &section));
         }
         let inner = keys::path(&section, key);
-        let is_braces = section != ROOT && value.is_inline_table();
-        if keys_of(&inner).is_empty() || is_braces {
+        let is_whole = section != ROOT && (value.is_inline_table() || value.is_array());
+        if keys::keys_of(family, &inner).is_empty() || is_whole && keys.len() == 0 {
             return match keys.next() {
                 None => {
                     put(table, key, value);
                     Ok(())
                 }
-                Some(deeper) => Err(unknown(path, deeper, &inner)),
+                Some(deeper) => Err(unknown(family, path, deeper, &inner)),
             };
         }
         let list = LISTS.into_iter().find(|list| *list == inner);
         // One material needs no number.
         let list = list.filter(|_| !table.get(key).is_some_and(Item::is_table_like));
         if let Some(list) = list {
-            let index = keys.next().ok_or_else(|| {
-                Box::new(Problem::SetSection {
-                    key: path.to_owned(),
-                    section: format!("{list}.0"),
-                })
-            })?;
+            let index = keys
+                .next()
+                .ok_or_else(|| whole_section(family, path, &format!("{list}.0")))?;
             table = numbered(table, list, path, index)?;
             section = keys::path(&inner, index);
         } else {
             table = subsection(table, key, section == ROOT)
-                .ok_or_else(|| whole_section(path, &inner))?;
+                .ok_or_else(|| whole_section(family, path, &inner))?;
             section = inner;
         }
     }
-    Err(whole_section(path, &section))
+    Err(whole_section(family, path, &section))
 }
 
 /// The section of this number in a list, counted from 0.
@@ -177,17 +183,19 @@ fn put(table: &mut dyn TableLike, key: &str, mut value: Value) {
     }
 }
 
-fn unknown(path: &str, key: &str, section: &str) -> Box<Problem> {
+fn unknown(family: Family, path: &str, key: &str, section: &str) -> Box<Problem> {
     Box::new(Problem::SetKey {
         key: path.to_owned(),
         unknown: key.to_owned(),
         section: section.to_owned(),
+        known: keys::names(family, section).collect(),
     })
 }
 
-fn whole_section(path: &str, section: &str) -> Box<Problem> {
+fn whole_section(family: Family, path: &str, section: &str) -> Box<Problem> {
     Box::new(Problem::SetSection {
         key: path.to_owned(),
         section: section.to_owned(),
+        known: keys::names(family, section).collect(),
     })
 }

@@ -2,14 +2,14 @@
 
 use super::bound::POSITIVE;
 use super::error::Fault;
-use super::output::Output;
+use super::keys::TOLERANCE;
 use super::section::Section;
 
-/// The largest error that a field may have.
+/// The largest error that a field may have; `F` names the fields.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Tolerance {
+pub struct Tolerance<F = Field> {
     /// Of which field.
-    pub field: Field,
+    pub field: F,
     /// In which norm.
     pub norm: Norm,
     /// > 0.
@@ -81,43 +81,58 @@ const NORMS: [(&str, Norm); 5] = [
     ("rms", Norm::Rms),
 ];
 
-/// `[tolerance]`: those of each field in the order of [`FIELDS`] and [`NORMS`].
-pub(super) fn tolerances(root: &Section<'_>, output: &Output) -> Result<Vec<Tolerance>, Fault> {
-    let Some(entry) = root.optional("tolerance") else {
+/// `[tolerance]` of a gas.
+pub(super) fn of_gas(root: &Section<'_>, has_exact: bool) -> Result<Vec<Tolerance>, Fault> {
+    let names = FIELDS.map(|(name, field)| (name.to_owned(), field));
+    tolerances(root, has_exact, &names)
+}
+
+/// `[tolerance]`: those of each field in the order of `fields` and [`NORMS`].
+pub(super) fn tolerances<F: Copy>(
+    root: &Section<'_>,
+    has_exact: bool,
+    fields: &[(String, F)],
+) -> Result<Vec<Tolerance<F>>, Fault> {
+    let Some(entry) = root.optional(TOLERANCE) else {
         return Ok(Vec::new());
     };
     let section = entry.section()?;
-    if output.exact.is_none() {
+    if !has_exact {
         let reason = "there is no output.exact to be compared with".to_owned();
         return Err(entry.does_not_fit(reason, "add `exact` to [output], or take it out"));
     }
+    section.is_among(fields.iter().map(|(name, _)| name.as_str()))?;
     let mut tolerances = Vec::new();
-    for (name, field) in FIELDS {
-        let Some(entry) = section.optional(name) else {
-            continue;
-        };
-        let section = entry.section()?;
-        let reason_entry = section.required("reason")?;
-        let reason = reason_entry.text()?.to_owned();
-        if reason.trim().is_empty() {
-            let cure = "say where the number comes from, as in reason = \"1.05 of the value \
-                        measured at 900 particles\"";
-            return Err(reason_entry.does_not_fit("it is empty".to_owned(), cure));
-        }
-        let before = tolerances.len();
-        for (name, norm) in NORMS {
-            if let Some(entry) = section.optional(name) {
-                tolerances.push(Tolerance {
-                    field,
-                    norm,
-                    value: entry.number(POSITIVE)?,
-                    reason: reason.clone(),
-                });
-            }
-        }
-        if tolerances.len() == before {
-            return Err(section.missing("l1"));
+    for (name, field) in fields {
+        if let Some(entry) = section.optional(name) {
+            tolerances.extend(of_field(&entry.section()?, *field)?);
         }
     }
     Ok(tolerances)
+}
+
+/// `[tolerance.FIELD]`: a norm at least, and the reason.
+fn of_field<F: Copy>(section: &Section<'_>, field: F) -> Result<Vec<Tolerance<F>>, Fault> {
+    let entry = section.required("reason")?;
+    let reason = entry.text()?.to_owned();
+    if reason.trim().is_empty() {
+        let cure = "say where the number comes from, as in reason = \"1.05 of the value \
+                    measured at 900 particles\"";
+        return Err(entry.does_not_fit("it is empty".to_owned(), cure));
+    }
+    let mut tolerances = Vec::new();
+    for (name, norm) in NORMS {
+        if let Some(entry) = section.optional(name) {
+            tolerances.push(Tolerance {
+                field,
+                norm,
+                value: entry.number(POSITIVE)?,
+                reason: reason.clone(),
+            });
+        }
+    }
+    match tolerances.is_empty() {
+        true => Err(section.missing("l1")),
+        false => Ok(tolerances),
+    }
 }

@@ -1,24 +1,9 @@
-//! Which keys a scenario may have: the one list that reading, `--set` and the
-//! error texts share.
+//! The sections of a scenario that describes a gas, beside the shared ones.
 
-/// A key that a section may have.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Key {
-    /// Its name in the file.
-    pub name: &'static str,
-    /// A line that could stand in a file.
-    pub example: &'static str,
-}
-
-const fn key(name: &'static str, example: &'static str) -> Key {
-    Key { name, example }
-}
-
-/// The section of the keys above all sections.
-pub(super) const ROOT: &str = "";
+use super::{Key, ROOT, key};
 
 /// The sections of which a file may have several, numbered from 0.
-pub(super) const LISTS: [&str; 3] = ["region", "material", "deposit"];
+pub(in crate::scenario) const LISTS: [&str; 3] = ["region", "material", "deposit"];
 
 /// Every section with its keys.
 pub(super) const SECTIONS: &[(&str, &[Key])] = &[
@@ -45,22 +30,6 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
             key("time", "[time]"),
             key("output", "[output]"),
             key("tolerance", "[tolerance.density]"),
-        ],
-    ),
-    (
-        "units",
-        &[
-            key("length", "length = \"m\""),
-            key("mass", "mass = \"kg\""),
-            key("time", "time = \"s\""),
-        ],
-    ),
-    (
-        "domain",
-        &[
-            key("lower", "lower = [-1.0]"),
-            key("upper", "upper = [1.0]"),
-            key("sides", "sides = [\"mirror\"]"),
         ],
     ),
     (
@@ -132,15 +101,6 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
     ),
     ("weights", &[key("rule", "rule = \"mass\"")]),
     (
-        "cut-off",
-        &[
-            key("name", "name = \"cubic-spline\""),
-            key("eta", "eta = 1.2"),
-            key("theta", "theta = 0.75"),
-            key("epsilon", "epsilon = 0.01"),
-        ],
-    ),
-    (
         "viscosity",
         &[
             key("kind", "kind = \"pairwise\""),
@@ -185,26 +145,11 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
         ],
     ),
     (
-        "output.window",
-        &[
-            key("lower", "lower = [-0.5]"),
-            key("upper", "upper = [0.5]"),
-        ],
-    ),
-    (
         "output.ring",
         &[
             key("center", "center = [0.0]"),
             key("inner", "inner = 0.05"),
             key("outer", "outer = 0.35"),
-        ],
-    ),
-    (
-        "output.snapshots",
-        &[
-            key("every", "every = 0.01"),
-            key("steps", "steps = 10"),
-            key("format", "format = \"vtu\""),
         ],
     ),
     (
@@ -216,50 +161,4 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
             key("energy", "[tolerance.energy]"),
         ],
     ),
-    (
-        "tolerance.FIELD",
-        &[
-            key("l1", "l1 = 0.0035"),
-            key("l2", "l2 = 0.01"),
-            key("linf", "linf = 0.1"),
-            key("mean", "mean = 0.0035"),
-            key("rms", "rms = 0.01"),
-            key("reason", "reason = \"1.05 of what 900 particles give\""),
-        ],
-    ),
 ];
-
-/// The keys of a section (`""` for those above all sections; `region.3` is a
-/// `region`, `tolerance.density` a `tolerance.FIELD`); none if there is no such section.
-pub(super) fn keys_of(section: &str) -> &'static [Key] {
-    let kind = match section.split_once('.') {
-        Some((list, index))
-            if LISTS.contains(&list) && index.bytes().all(|b| b.is_ascii_digit()) =>
-        {
-            list
-        }
-        Some(("tolerance", field)) if !field.contains('.') => "tolerance.FIELD",
-        _ => section,
-    };
-    SECTIONS
-        .iter()
-        .find(|(name, _)| *name == kind)
-        .map_or(&[], |(_, keys)| keys)
-}
-
-/// The line to write for a key given by its section and name.
-pub(super) fn example(section: &str, name: &str) -> &'static str {
-    keys_of(section)
-        .iter()
-        .find(|key| key.name == name)
-        .map_or("", |key| key.example)
-}
-
-/// The path of a key: `section.key`, or `key` above all sections.
-pub(super) fn path(section: &str, key: &str) -> String {
-    if section.is_empty() {
-        key.to_owned()
-    } else {
-        format!("{section}.{key}")
-    }
-}

@@ -1,0 +1,196 @@
+//! Fields of velocities: what the particles follow, and what carries a transported quantity.
+
+use super::super::error::Fault;
+use super::super::geometry::AXES;
+use super::super::section::{ANY, Entry, Section};
+use super::super::{Domain, Side};
+use super::System;
+
+/// A field of velocities `a(x)`.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Field {
+    /// `a = 0`.
+    Still,
+    /// The same everywhere.
+    Uniform {
+        /// Length / time.
+        velocity: Vec<f64>,
+    },
+    /// `a = rate (-(y - c_y), x - c_x)`, about an axis along z; two and three dimensions.
+    Rotation {
+        /// Radians / time, counterclockwise.
+        rate: f64,
+        /// `c`.
+        center: Vec<f64>,
+    },
+    /// `a_x = rate (y - c_y)`; two and three dimensions.
+    Shear {
+        /// 1 / time.
+        rate: f64,
+        /// `c`.
+        center: Vec<f64>,
+    },
+    /// `a = -rate (x - c)`, in every direction.
+    Compression {
+        /// 1 / time; below 0 it expands.
+        rate: f64,
+        /// `c`.
+        center: Vec<f64>,
+    },
+    /// `a_x = amplitude sin(2π (x - lower)/(upper - lower))`, lower and upper those of the
+    /// domain along x.
+    Wave {
+        /// Length / time.
+        amplitude: f64,
+    },
+}
+
+/// The names of the fields, with the keys that each takes.
+const KINDS: [(&str, &[&str]); 6] = [
+    ("still", &[]),
+    ("uniform", &["velocity"]),
+    ("rotation", &["rate", "center"]),
+    ("shear", &["rate", "center"]),
+    ("compression", &["rate", "center"]),
+    ("wave", &["amplitude"]),
+];
+
+/// What the particles of a transported quantity do unless told: they go with it.
+const FLOW: (&str, &[&str]) = ("flow", &[]);
+
+impl Field {
+    /// Its name in a scenario.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Still => "still",
+            Self::Uniform { .. } => "uniform",
+            Self::Rotation { .. } => "rotation",
+            Self::Shear { .. } => "shear",
+            Self::Compression { .. } => "compression",
+            Self::Wave { .. } => "wave",
+        }
+    }
+
+    /// Whether it crosses the side of the domain in a direction at an end (0: lower, 1: upper).
+    fn crosses(&self, axis: usize, end: usize, domain: &Domain) -> bool {
+        match self {
+            Self::Still | Self::Wave { .. } => false,
+            Self::Uniform { velocity } => velocity[axis] != 0.0,
+            Self::Rotation { rate, .. } => axis < 2 && *rate != 0.0,
+            Self::Shear { rate, .. } => axis == 0 && *rate != 0.0,
+            Self::Compression { rate, center } => {
+                let side = [&domain.extent.lower, &domain.extent.upper][end][axis];
+                *rate != 0.0 && side != center[axis]
+            }
+        }
+    }
+
+    /// Whether it may go on at the other side of a periodic direction.
+    fn goes_on(&self, axis: usize) -> bool {
+        match self {
+            Self::Still | Self::Uniform { .. } | Self::Wave { .. } => true,
+            Self::Rotation { rate, .. } | Self::Shear { rate, .. } => axis >= 2 || *rate == 0.0,
+            Self::Compression { rate, .. } => *rate == 0.0,
+        }
+    }
+}
+
+/// `[motion]`.
+pub(super) fn motion(root: &Section<'_>, system: &System, domain: &Domain) -> Result<Field, Fault> {
+    let usual = match system {
+        System::Transport { velocity, .. } => velocity,
+        _ => &Field::Still,
+    };
+    let Some(entry) = root.optional("motion") else {
+        return Ok(usual.clone());
+    };
+    let section = entry.section()?;
+    let kind = section.required("kind")?;
+    if kind.text()? != FLOW.0 {
+        return field(&entry, domain);
+    }
+    if !matches!(system, System::Transport { .. }) {
+        let reason = format!("{} has no velocity that could be followed", system.name());
+        return Err(kind.does_not_fit(reason, "set kind = \"still\", or give another field"));
+    }
+    section.only(FLOW.0, &["kind"], FLOW.1)?;
+    Ok(usual.clone())
+}
+
+/// A field that goes with the sides of the domain.
+pub(super) fn field(entry: &Entry<'_>, domain: &Domain) -> Result<Field, Fault> {
+    let section = entry.section()?;
+    let kind = section.required("kind")?;
+    let (name, keys) = kind.choice(&KINDS.map(|kind| (kind.0, kind)))?;
+    if name == "still" {
+        // So that `--set motion.kind=still` alone stops the particles.
+        return Ok(Field::Still);
+    }
+    section.only(name, &["kind"], keys)?;
+    let dimension = domain.extent.lower.len();
+    if dimension == 1 && matches!(name, "rotation" | "shear") {
+        let reason = "it takes two directions at least, dimension = 1".to_owned();
+        let cure = "choose still, uniform, compression or wave, or another dimension";
+        return Err(kind.does_not_fit(reason, cure));
+    }
+    let rate = || section.number("rate", ANY);
+    let center = || center(&section, domain);
+    let field = match name {
+        "uniform" => Field::Uniform {
+            velocity: section.required("velocity")?.vector(dimension)?,
+        },
+        "rotation" => Field::Rotation {
+            rate: rate()?,
+            center: center()?,
+        },
+        "shear" => Field::Shear {
+            rate: rate()?,
+            center: center()?,
+        },
+        "compression" => Field::Compression {
+            rate: rate()?,
+            center: center()?,
+        },
+        _ => Field::Wave {
+            amplitude: section.number("amplitude", ANY)?,
+        },
+    };
+    check_sides(&kind, &field, domain)?;
+    Ok(field)
+}
+
+/// A point, in the middle of the domain unless told.
+pub(super) fn center(section: &Section<'_>, domain: &Domain) -> Result<Vec<f64>, Fault> {
+    let extent = &domain.extent;
+    match section.optional("center") {
+        Some(entry) => entry.vector(extent.lower.len()),
+        None => {
+            let corners = extent.lower.iter().zip(&extent.upper);
+            Ok(corners
+                .map(|(lower, upper)| 0.5 * lower + 0.5 * upper)
+                .collect())
+        }
+    }
+}
+
+/// That what flows across a side may do so, and that what is periodic has no jump.
+pub(super) fn check_sides(kind: &Entry<'_>, field: &Field, domain: &Domain) -> Result<(), Fault> {
+    for (axis, sides) in domain.sides.iter().enumerate() {
+        let name = AXES[axis];
+        if sides[0] == Side::Periodic && !field.goes_on(axis) {
+            let reason = format!("it differs at the two periodic sides along {name}");
+            let cure = format!("set the sides along {name} to \"free\", or choose another field");
+            return Err(kind.does_not_fit(reason, &cure));
+        }
+        for (end, &side) in sides.iter().enumerate() {
+            if side == Side::Mirror && field.crosses(axis, end, domain) {
+                let wall = ["lower", "upper"][end];
+                let reason = format!("it crosses the {wall} wall along {name}");
+                let cure =
+                    format!("set the sides along {name} to \"free\", or choose another field");
+                return Err(kind.does_not_fit(reason, &cure));
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,93 @@
+//! A system given by its matrices.
+
+use super::super::error::Fault;
+use super::super::section::{ANY, Entry, Section};
+use super::System;
+
+/// The most components that a system given by matrices may have.
+const MOST: u32 = 8;
+
+/// `[system]` of kind "matrices".
+pub(super) fn matrices(section: &Section<'_>, dimension: usize) -> Result<System, Fault> {
+    let cure = "give the number of components of u";
+    let components = section.required("components")?;
+    let components = components.count(MOST, "1 to 8", cure)?;
+    let flux = section.required("flux")?;
+    let entries = flux.list("a list of matrices, one a direction")?;
+    if entries.len() != dimension {
+        let found = entries.len();
+        let reason = format!("the number of matrices is {found}, dimension = {dimension}");
+        let cure = "give one matrix a direction, each a list of rows: [[[0.0, 1.0], [1.0, 0.0]]] \
+                    in one dimension";
+        return Err(flux.does_not_fit(reason, cure));
+    }
+    let flux = entries.iter().map(|entry| matrix(entry, components));
+    Ok(System::Matrices {
+        components,
+        flux: flux.collect::<Result<_, _>>()?,
+        decay: match section.optional("decay") {
+            Some(entry) => matrix(&entry, components)?,
+            None => vec![0.0; components * components],
+        },
+        names: match section.optional("names") {
+            Some(entry) => names(&entry, components)?,
+            None => (0..components).map(|i| format!("u{i}")).collect(),
+        },
+    })
+}
+
+/// A square matrix, row by row.
+fn matrix(entry: &Entry<'_>, size: usize) -> Result<Vec<f64>, Fault> {
+    let cure = format!("give {size} rows of {size} numbers, or another number of components");
+    let rows = entry.list("a matrix: a list of rows")?;
+    if rows.len() != size {
+        let found = rows.len();
+        let reason = format!("the number of its rows is {found}, components = {size}");
+        return Err(entry.does_not_fit(reason, &cure));
+    }
+    let mut numbers = Vec::with_capacity(size * size);
+    for row in rows {
+        let columns = row.list("a row: a list of numbers")?;
+        if columns.len() != size {
+            let found = columns.len();
+            let reason =
+                format!("the number of entries of this row is {found}, components = {size}");
+            return Err(row.does_not_fit(reason, &cure));
+        }
+        for entry in columns {
+            numbers.push(entry.number(ANY)?);
+        }
+    }
+    Ok(numbers)
+}
+
+/// Names of the components that can head the columns of a file.
+fn names(entry: &Entry<'_>, components: usize) -> Result<Vec<String>, Fault> {
+    let entries = entry.list("a list of names")?;
+    if entries.len() != components {
+        let reason = format!(
+            "there are {} names, components = {components}",
+            entries.len()
+        );
+        return Err(entry.does_not_fit(reason, "give one name a component"));
+    }
+    let mut names: Vec<String> = Vec::new();
+    for entry in entries {
+        let name = entry.text()?;
+        let is_plain = name
+            .chars()
+            .all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
+        let is_taken = ["state", "weight"].contains(&name) || name.starts_with("position");
+        if name.is_empty() || !is_plain || is_taken {
+            let reason = "it heads a column of the results, and some names are taken".to_owned();
+            let cure = "use letters, digits, - and _; not state, weight, or position in front";
+            return Err(entry.does_not_fit(reason, cure));
+        }
+        if names.iter().any(|other| other == name) {
+            let reason = "another component has the same name".to_owned();
+            return Err(entry.does_not_fit(reason, "give each component a name of its own"));
+        }
+        names.push(name.to_owned());
+    }
+    Ok(names)
+}

@@ -1,0 +1,121 @@
+//! Linear first-order systems `∂u/∂t + Σ_i ∂_i(A^i u) + A⁰ u = f` on particles that move with
+//! a field of velocities.
+
+mod field;
+mod initial;
+mod matrices;
+mod output;
+mod resolution;
+mod system;
+mod time;
+
+use std::path::Path;
+
+use super::error::{Fault, ScenarioError};
+use super::section::Section;
+use super::source::Source;
+use super::tolerance::Tolerance;
+use super::{CutOff, Domain, Units, check, cut_off};
+
+pub use field::Field;
+pub use initial::Initial;
+pub use output::{Measured, Output, Probe};
+pub use resolution::{Arrangement, Resolution};
+pub use system::System;
+pub use time::{Method, Time};
+
+/// A linear first-order system to solve. All numbers are in the scenario's own units.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct LinearScenario {
+    /// Letters, digits, `-` and `_`: fit to name a file.
+    pub name: String,
+    /// One line for lists and headings; may be empty.
+    pub description: String,
+    /// 1, 2 or 3: the length of every vector of space below.
+    pub dimension: usize,
+    /// Labels of the units.
+    pub units: Units,
+    /// The box that is simulated, and its sides: periodic, mirror or free.
+    pub domain: Domain,
+    /// The equations.
+    pub system: System,
+    /// The velocity of the particles.
+    pub motion: Field,
+    /// The state at t = 0; `None` where the file of the particles holds it.
+    pub initial: Option<Initial>,
+    /// How many particles, and how they are placed.
+    pub resolution: Resolution,
+    /// The function that smears a particle; its width is the same for all and at all times,
+    /// [`crate::scenario::Width::epsilon`] of the spacing at the start.
+    pub cut_off: CutOff,
+    /// How long, and in what steps.
+    pub time: Time,
+    /// What is written and measured.
+    pub output: Output,
+    /// The largest errors that a run may have; empty without `output.exact`.
+    pub tolerances: Vec<Tolerance<Measured>>,
+    /// The TOML text after `--set`, comments included: reading it gives this scenario.
+    pub text: String,
+}
+
+impl LinearScenario {
+    /// Reads a scenario that describes a linear system; `overrides` are `section.key=value`
+    /// as given to `--set`, the later ones on top of the earlier.
+    ///
+    /// # Errors
+    /// Whatever keeps the text from being a scenario: the first fault found, with
+    /// its place and cure. A gas is one.
+    pub fn read(source: Source, overrides: &[String]) -> Result<Self, ScenarioError> {
+        check::read(&source, overrides, check::linear)
+    }
+}
+
+/// The scenario of a text.
+pub(super) fn scenario(
+    root: &Section<'_>,
+    folder: &Path,
+    text: &str,
+) -> Result<LinearScenario, Fault> {
+    let heading = check::heading(root)?;
+    let domain = heading.domain;
+    check_sides(root, &domain)?;
+    let system = system::system(root, &domain)?;
+    let resolution = resolution::resolution(&root.required("resolution")?.section()?, folder)?;
+    let in_file = matches!(resolution.arrangement, Arrangement::File(_));
+    let initial = match root.optional("initial") {
+        None if in_file => None,
+        None => return Err(root.missing("initial")),
+        Some(entry) => Some(initial::initial(&entry.section()?, &system, &domain)?),
+    };
+    let output = output::output(root, &domain.extent, initial.is_some())?;
+    Ok(LinearScenario {
+        name: heading.name,
+        description: heading.description,
+        dimension: heading.dimension,
+        units: heading.units,
+        motion: field::motion(root, &system, &domain)?,
+        tolerances: output::tolerances(root, &output, &system, heading.dimension)?,
+        system,
+        initial,
+        resolution,
+        cut_off: cut_off::of_linear(root)?,
+        time: time::time(&root.required("time")?.section()?)?,
+        output,
+        domain,
+        text: text.to_owned(),
+    })
+}
+
+/// That nothing is taken in or out.
+fn check_sides(root: &Section<'_>, domain: &Domain) -> Result<(), Fault> {
+    let Some(axis) = domain.open_direction() else {
+        return Ok(());
+    };
+    let sides = root.required("domain")?.section()?.required("sides")?;
+    let directions = sides.directions(domain.sides.len())?;
+    let reason = "inflow and outflow are of a gas: what leaves a linear system depends on the \
+                  characteristics of its matrices"
+        .to_owned();
+    Err(directions[axis].does_not_fit(reason, "write \"periodic\", \"mirror\" or \"free\""))
+}

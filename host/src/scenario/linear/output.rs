@@ -1,0 +1,147 @@
+//! What is written and measured.
+
+use super::super::error::Fault;
+use super::super::geometry::point_inside;
+use super::super::output::{DEFAULT_SAMPLES, samples, snapshots, window};
+use super::super::section::{Entry, Section};
+use super::super::tolerance::{self, Tolerance};
+use super::super::{Extent, Snapshots};
+use super::System;
+
+/// What is written and measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Output {
+    /// Where errors are measured; in the domain.
+    pub window: Extent,
+    /// Rows of the time series, equally spaced in time, at least 1.
+    pub samples: usize,
+    /// Whether to compare with the solution that belongs to the initial state.
+    pub exact: bool,
+    /// States on the way, if any are written.
+    pub snapshots: Option<Snapshots>,
+    /// Places where the smoothed solution is written at the end.
+    pub probe: Option<Probe>,
+}
+
+/// A grid of points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Probe {
+    /// The corner with the smallest coordinates; in the domain.
+    pub lower: Vec<f64>,
+    /// The corner with the largest; above `lower` where there are several points.
+    pub upper: Vec<f64>,
+    /// How many along each direction, at least 1: equally spaced, the first at `lower` and
+    /// the last at `upper`; a single one in the middle.
+    pub points: Vec<usize>,
+}
+
+/// What a tolerance is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measured {
+    /// All components together.
+    State,
+    /// One of them, counted from 0.
+    Component(usize),
+}
+
+/// The most points of a probe.
+const MOST: u32 = 10_000_000;
+
+impl Probe {
+    /// The coordinate along a direction of the point of that number, counted from 0.
+    pub fn coordinate(&self, direction: usize, number: usize) -> f64 {
+        let (lower, upper) = (self.lower[direction], self.upper[direction]);
+        let part = match self.points[direction] {
+            0 | 1 => 0.5,
+            points => number as f64 / (points - 1) as f64,
+        };
+        (1.0 - part) * lower + part * upper
+    }
+}
+
+/// `[output]`.
+pub(super) fn output(
+    root: &Section<'_>,
+    domain: &Extent,
+    has_initial: bool,
+) -> Result<Output, Fault> {
+    let Some(entry) = root.optional("output") else {
+        return Ok(Output {
+            window: domain.clone(),
+            samples: DEFAULT_SAMPLES,
+            exact: false,
+            snapshots: None,
+            probe: None,
+        });
+    };
+    let section = entry.section()?;
+    Ok(Output {
+        window: window(&section, domain)?,
+        samples: samples(&section)?,
+        exact: match section.optional("exact") {
+            Some(entry) => exact(&entry, has_initial)?,
+            None => false,
+        },
+        snapshots: snapshots(&section)?,
+        probe: match section.optional("probe") {
+            Some(entry) => Some(probe(&entry.section()?, domain)?),
+            None => None,
+        },
+    })
+}
+
+fn exact(entry: &Entry<'_>, has_initial: bool) -> Result<bool, Fault> {
+    let chosen = entry.choice(&[("initial", true)])?;
+    if !has_initial {
+        let reason = "there is no [initial], of which the solution is known".to_owned();
+        return Err(entry.does_not_fit(reason, "add [initial], or leave `exact` out"));
+    }
+    Ok(chosen)
+}
+
+fn probe(section: &Section<'_>, domain: &Extent) -> Result<Probe, Fault> {
+    let dimension = domain.lower.len();
+    let corner = |key, usual: &Vec<f64>| match section.optional(key) {
+        Some(entry) => point_inside(&entry, domain),
+        None => Ok(usual.clone()),
+    };
+    let lower = corner("lower", &domain.lower)?;
+    let upper = corner("upper", &domain.upper)?;
+    let entry = section.required("points")?;
+    let need = "1 to 10000000";
+    let cure = "give the number of points along each direction, as in points = [200]";
+    let directions = entry.directions(dimension)?;
+    let points = directions.iter().map(|entry| entry.count(MOST, need, cure));
+    let points: Vec<usize> = points.collect::<Result<_, _>>()?;
+    if points.iter().map(|&n| n as f64).product::<f64>() > f64::from(MOST) {
+        let reason = "together they are more than 10000000".to_owned();
+        return Err(entry.does_not_fit(reason, "give fewer points"));
+    }
+    for (axis, entry) in directions.iter().enumerate() {
+        let (low, high) = (lower[axis], upper[axis]);
+        if !(low < high || low == high && points[axis] == 1) {
+            let reason = format!("the probe reaches from {low} to {high} there");
+            let cure = "make upper larger than lower, or equal with one point";
+            return Err(entry.does_not_fit(reason, cure));
+        }
+    }
+    Ok(Probe {
+        lower,
+        upper,
+        points,
+    })
+}
+
+/// `[tolerance]`: of the state, then of the components in their order.
+pub(super) fn tolerances(
+    root: &Section<'_>,
+    output: &Output,
+    system: &System,
+    dimension: usize,
+) -> Result<Vec<Tolerance<Measured>>, Fault> {
+    let names = system.names(dimension).into_iter().enumerate();
+    let components = names.map(|(i, name)| (name, Measured::Component(i)));
+    let state = [("state".to_owned(), Measured::State)];
+    let fields: Vec<_> = state.into_iter().chain(components).collect();
+    tolerance::tolerances(root, output.exact, &fields)
+}

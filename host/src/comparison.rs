@@ -37,6 +37,43 @@ impl Norms {
     }
 }
 
+/// The sums that [`Norms`] are made of.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NormSums {
+    volume: f64,
+    count: f64,
+    l1: f64,
+    l2: f64,
+    linf: f64,
+    mean: f64,
+    squares: f64,
+}
+
+impl NormSums {
+    /// Adds the error of a particle.
+    pub fn add(&mut self, volume: f64, error: f64) {
+        let size = error.abs();
+        self.volume += volume;
+        self.count += 1.0;
+        self.l1 += volume * size;
+        self.l2 += volume * size * size;
+        self.linf = self.linf.max(size);
+        self.mean += size;
+        self.squares += size * size;
+    }
+
+    /// The norms; `None` without particles.
+    pub fn norms(&self) -> Option<Norms> {
+        (self.volume > 0.0).then(|| Norms {
+            l1: self.l1 / self.volume,
+            l2: (self.l2 / self.volume).sqrt(),
+            linf: self.linf,
+            mean: self.mean / self.count,
+            rms: (self.squares / self.count).sqrt(),
+        })
+    }
+}
+
 /// The fields that are compared, in the order of tables and pictures. The error of the
 /// velocity is the length of the difference of the two vectors.
 pub const FIELDS: [&str; 4] = ["density", "velocity", "pressure", "energy"];
@@ -289,28 +326,14 @@ pub fn norms(
     scenario: &Scenario,
 ) -> Option<BTreeMap<&'static str, Norms>> {
     let (window, ring) = (&scenario.output.window, scenario.output.ring.as_ref());
-    let mut sums = [(0.0, 0.0, 0.0f64, 0.0, 0.0); 4];
-    let (mut total, mut count) = (0.0, 0.0);
+    let mut sums = [NormSums::default(); 4];
     for particle in within(particles, window, ring) {
         let volume = particle.mass / particle.density;
-        (total, count) = (total + volume, count + 1.0);
-        let errors = exact.errors(particle, time);
-        for ((l1, l2, linf, mean, squares), error) in sums.iter_mut().zip(errors) {
-            *l1 += volume * error;
-            *l2 += volume * error * error;
-            *linf = linf.max(error);
-            *mean += error;
-            *squares += error * error;
+        for (sums, error) in sums.iter_mut().zip(exact.errors(particle, time)) {
+            sums.add(volume, error);
         }
     }
-    let norms = sums.map(
-        |(l1, l2, linf, mean, squares): (f64, f64, f64, f64, f64)| Norms {
-            l1: l1 / total,
-            l2: (l2 / total).sqrt(),
-            linf,
-            mean: mean / count,
-            rms: (squares / count).sqrt(),
-        },
-    );
-    (total > 0.0).then(|| FIELDS.into_iter().zip(norms).collect())
+    let norms = sums.map(|sums| sums.norms());
+    let fields = FIELDS.into_iter().zip(norms);
+    fields.map(|(field, norms)| Some((field, norms?))).collect()
 }

@@ -125,6 +125,22 @@ pub struct Domain {
     pub sides: Vec<[Side; 2]>,
 }
 
+impl Domain {
+    /// Between which coordinates a particle may be along a direction: infinite where the side
+    /// is free.
+    pub fn bounds(&self, axis: usize) -> [f64; 2] {
+        let sides = self.sides[axis];
+        let bound = |end: usize, side: f64, beyond: f64| match sides[end] {
+            Side::Free => beyond,
+            _ => side,
+        };
+        [
+            bound(0, self.extent.lower[axis], f64::NEG_INFINITY),
+            bound(1, self.extent.upper[axis], f64::INFINITY),
+        ]
+    }
+}
+
 /// What happens at a side of the domain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Side {

@@ -24,11 +24,12 @@ mod random;
 mod regions;
 mod sampled;
 mod square;
+pub(crate) mod table;
 #[cfg(test)]
 mod tests;
 
 pub use apportion::apportion;
-pub use cloud::CloudError;
+pub use table::CloudError;
 pub use error::SetupError;
 
 use crate::scenario::{Arrangement, Scenario};

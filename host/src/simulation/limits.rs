@@ -109,7 +109,15 @@ pub(super) fn check_format<S: Scalar>(plan: &Plan, scalar: &str) -> Result<(), R
             numbers.push(("a velocity of the inflow", *velocity));
         }
     }
-    for (what, value) in numbers {
+    check_numbers::<S>(&numbers, scalar)
+}
+
+/// Refuses numbers that the format cannot hold to 1 %.
+pub(crate) fn check_numbers<S: Scalar>(
+    numbers: &[(&'static str, f64)],
+    scalar: &str,
+) -> Result<(), RunError> {
+    for &(what, value) in numbers {
         if !((S::from_f64(value).to_f64() - value).abs() <= 0.01 * value.abs()) {
             return Err(RunError::Format {
                 what,
@@ -122,7 +130,7 @@ pub(super) fn check_format<S: Scalar>(plan: &Plan, scalar: &str) -> Result<(), R
 }
 
 /// Refuses a run that would not fit into memory, where the system says how much there is.
-pub(super) fn check_memory(particles: usize, bytes_each: usize) -> Result<(), RunError> {
+pub(crate) fn check_memory(particles: usize, bytes_each: usize) -> Result<(), RunError> {
     let Some(available) = available_bytes() else {
         return Ok(());
     };

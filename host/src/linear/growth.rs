@@ -1,0 +1,83 @@
+//! Watching that a run does not grow faster than any solution may.
+
+use super::limits::LinearError;
+use super::outcome::Energy;
+
+/// The part of the first norm below which nothing is said: what is left of a solution that has
+/// died away may be rounding.
+const FLOOR: f64 = 1e-3;
+
+/// The bound of the energy norm, carried along with a run: `‖u‖' <= λ ‖u‖ + ‖f‖`.
+pub(super) struct Monitor {
+    rate: f64,
+    margin: f64,
+    floor: f64,
+    bound: f64,
+}
+
+impl Monitor {
+    /// A monitor of a system that grows at most at `rate`; `margin`: the part of the bound that
+    /// a run may exceed it by.
+    pub fn new(rate: f64, margin: f64, norm: f64) -> Self {
+        Self {
+            rate,
+            margin,
+            floor: FLOOR * norm,
+            bound: norm,
+        }
+    }
+
+    /// The norm and its bound.
+    pub fn energy(&self, norm: f64) -> Energy {
+        Energy {
+            norm,
+            bound: self.bound,
+        }
+    }
+
+    /// Moves the bound on by a step in which `‖f‖` is `source`.
+    ///
+    /// # Errors
+    /// A norm beyond it.
+    pub fn step(&mut self, time: f64, dt: f64, source: f64, norm: f64) -> Result<(), LinearError> {
+        let factor = libm::exp(self.rate * dt);
+        self.bound = factor.max(1.0) * dt * source + factor * self.bound;
+        let most = (1.0 + self.margin) * self.bound + self.floor;
+        if norm <= most {
+            return Ok(());
+        }
+        Err(LinearError::Growth {
+            time,
+            norm,
+            bound: self.bound,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_norm_that_follows_its_bound_passes_and_one_that_leaves_it_does_not() {
+        let mut monitor = Monitor::new(0.5, 0.1, 2.0);
+        let norm = |t: f64| 2.0 * libm::exp(0.5 * t);
+        for i in 1..=10 {
+            let t = 0.1 * f64::from(i);
+            assert!(monitor.step(t, 0.1, 0.0, 1.09 * norm(t)).is_ok());
+        }
+        assert!((monitor.energy(0.0).bound / norm(1.0) - 1.0).abs() < 1e-12);
+        let error = monitor.step(1.1, 0.1, 0.0, 1.2 * norm(1.1));
+        assert!(error.unwrap_err().to_string().contains("no solution grows"));
+    }
+
+    #[test]
+    fn a_source_raises_the_bound_by_its_norm() {
+        let mut monitor = Monitor::new(0.0, 0.1, 1.0);
+        for i in 1..=10 {
+            let t = f64::from(i);
+            assert!(monitor.step(t, 1.0, 3.0, 1.0 + 3.0 * t).is_ok());
+        }
+        assert!(monitor.step(11.0, 1.0, 0.0, 40.0).is_err());
+    }
+}

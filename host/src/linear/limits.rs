@@ -1,0 +1,67 @@
+//! Why a run of a linear system cannot be, or did not end.
+
+use crate::exact::linear::SolutionError;
+use crate::simulation::RunError;
+use crate::symmetriser::SymmetriserError;
+
+use super::quadrature::QuadratureError;
+
+/// A run that did not reach its end, or was not begun.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+pub enum LinearError {
+    /// As of any run.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Run(#[from] RunError),
+    /// The particles.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Quadrature(#[from] QuadratureError),
+    /// The exact solution, which the state at t = 0 is taken from.
+    #[error("the scenario has no initial state: {0}")]
+    Solution(#[from] SolutionError),
+    /// The matrices.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Symmetriser(#[from] SymmetriserError),
+    /// A step that is not stable.
+    #[error("time.step = {step:.6e} is above the stable limit {limit:.6e} at t = {time:.6}")]
+    #[diagnostic(help("use a smaller step, a larger epsilon, or leave time.step out"))]
+    Step {
+        /// The step asked for.
+        step: f64,
+        /// The largest stable one.
+        limit: f64,
+        /// When.
+        time: f64,
+    },
+    /// A norm that grows faster than that of any solution.
+    #[error(
+        "at t = {time:.6} the energy norm is {norm:.6e}, but no solution grows beyond {bound:.6e}"
+    )]
+    #[diagnostic(help(
+        "the run has become unstable or the cloud too thin: use a smaller time.courant, a larger \
+         epsilon or more particles; time.growth-margin is how much more is let pass"
+    ))]
+    Growth {
+        /// When.
+        time: f64,
+        /// What it has grown to.
+        norm: f64,
+        /// What it may have grown to.
+        bound: f64,
+    },
+    /// A system that is not compiled for fixed point.
+    #[error("{system} in dimension {dimension} does not run in `{scalar}`")]
+    #[diagnostic(help(
+        "fixed point is for transport, acoustics and telegraph in one dimension; use f64 or f32"
+    ))]
+    NoFixedPoint {
+        /// The system.
+        system: &'static str,
+        /// Of the scenario.
+        dimension: usize,
+        /// The scalar.
+        scalar: String,
+    },
+}

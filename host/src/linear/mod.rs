@@ -1,0 +1,25 @@
+//! Runs of linear systems: from a scenario to a plan in solver units, its particles stepped to
+//! the end, and the result compared with the exact solution.
+
+mod arrays;
+mod comparison;
+mod experiment;
+mod field;
+mod growth;
+mod limits;
+mod outcome;
+mod plan;
+mod quadrature;
+mod run;
+mod scalars;
+mod solution;
+
+pub use comparison::{RECONSTRUCTION, STATE, errors};
+pub use experiment::Experiment;
+pub use limits::LinearError;
+pub use outcome::{Cloud, Energy, Outcome, Sample};
+pub use plan::Plan;
+pub use quadrature::{Quadrature, QuadratureError};
+pub use run::{Control, Look};
+pub use scalars::run;
+pub use solution::solution;

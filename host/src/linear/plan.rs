@@ -1,0 +1,399 @@
+//! What the solver needs of a run, in solver units, every number still an `f64`.
+//!
+//! The mean spacing and the fastest of waves, flows and particles are 1, and the middle of the
+//! domain is 0. Values stay what they are.
+
+use motes_core::cutoff::Named;
+use motes_core::domain::{Axis, Domain, Side};
+use motes_core::equation::linear::Particle;
+use motes_core::equation::linear::systems::{
+    Acoustics, ElasticWaves, LinearisedGas, Matrices, MaxwellTe, ShallowWater, Telegraph,
+    Transport, Units,
+};
+use motes_core::equation::linear::NamedField;
+use motes_core::integrator::{RK4, RungeKutta, SSP_RK3};
+use motes_core::scalar::Scalar;
+
+use super::field::PlannedField;
+use super::limits::LinearError;
+use super::quadrature::Quadrature;
+use super::solution::solution;
+use crate::scenario;
+use crate::scenario::linear::{Field, LinearScenario, Method, System};
+use crate::simulation::{RunError, check_numbers};
+use crate::symmetriser::Symmetriser;
+
+/// A run of a linear system in solver units. Vectors have three components; those beyond the
+/// dimension mean nothing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// 1, 2 or 3.
+    pub dimension: usize,
+    /// What the solver units are, in the scenario's.
+    pub units: Units,
+    /// The middle of the domain, in the scenario's units: 0 for the solver.
+    pub middle: [f64; 3],
+    /// The domain.
+    pub axes: [Axis<f64>; 3],
+    /// What the components are called.
+    pub names: Vec<String>,
+    /// `x_k` at the start.
+    pub positions: Vec<[f64; 3]>,
+    /// `w_k` at the start.
+    pub weights: Vec<f64>,
+    /// `u_k` at the start, one after the other.
+    pub values: Vec<f64>,
+    /// The equations, in the scenario's units.
+    pub system: System,
+    /// The symmetriser, where the equations are given as matrices.
+    pub symmetriser: Option<Symmetriser>,
+    /// What the particles follow.
+    pub(super) field: PlannedField,
+    /// The cut-off.
+    pub cut_off: Named,
+    /// Its width.
+    pub epsilon: f64,
+    /// The time integrator.
+    pub method: RungeKutta,
+    /// Factor of the stable time step.
+    pub courant: f64,
+    /// The time step, if it is given.
+    pub step: Option<f64>,
+    /// Duration.
+    pub end: f64,
+    /// The part by which the energy norm may exceed its bound.
+    pub growth_margin: f64,
+    /// The points of the probe.
+    pub probe: Option<Vec<[f64; 3]>>,
+    /// Whether the sums of the strengths are conserved: no losses, no sources, no walls.
+    pub is_conserving: bool,
+}
+
+impl Plan {
+    /// The plan of a scenario.
+    ///
+    /// # Errors
+    /// Particles that cannot be made, an initial state that does not exist, matrices of a system
+    /// that is not symmetrisable.
+    pub fn new(scenario: &LinearScenario) -> Result<Self, LinearError> {
+        let quadrature = Quadrature::of(scenario)?;
+        let dimension = scenario.dimension;
+        let count = quadrature.weights.len();
+        let values = match (solution(scenario)?, quadrature.values) {
+            (Some(solution), _) => {
+                let mut values = vec![0.0; count * solution.components()];
+                let rows = values.chunks_exact_mut(solution.components());
+                for (row, &position) in rows.zip(&quadrature.positions) {
+                    solution.write(position, 0.0, row);
+                }
+                values
+            }
+            (None, values) => values.unwrap_or_default(),
+        };
+        let symmetriser = match &scenario.system {
+            System::Matrices { flux, .. } => Some(Symmetriser::of(flux)?),
+            _ => None,
+        };
+        let volume: f64 = scenario.domain.extent.volume();
+        let spacing = libm::pow(volume / count as f64, 1.0 / dimension as f64);
+        let units = Units {
+            length: spacing,
+            velocity: velocity(scenario, symmetriser.as_ref(), &quadrature.positions),
+        };
+        let time = units.length / units.velocity;
+        let middle = std::array::from_fn(|i| scenario.domain.extent.middle(i));
+        let solver_place = |x: &[f64; 3]| std::array::from_fn(|i| (x[i] - middle[i]) / spacing);
+        let probe = scenario.output.probe.as_ref().map(|probe| {
+            let points = probe.positions();
+            points.iter().map(solver_place).collect()
+        });
+        let cell = spacing.powi(dimension as i32);
+        Ok(Self {
+            dimension,
+            units,
+            middle,
+            axes: std::array::from_fn(|i| axis(scenario, i, spacing)),
+            names: scenario.system.names(dimension),
+            positions: quadrature.positions.iter().map(solver_place).collect(),
+            weights: quadrature.weights.iter().map(|w| w / cell).collect(),
+            values,
+            system: scenario.system.clone(),
+            symmetriser,
+            field: PlannedField {
+                field: scenario.motion.clone(),
+                extent: scenario.domain.extent.clone(),
+                units,
+            },
+            cut_off: scenario.cut_off.shape.named(),
+            epsilon: scenario.cut_off.width.epsilon(spacing) / spacing,
+            method: match scenario.time.method {
+                Method::Rk4 => RK4,
+                Method::SspRk3 => SSP_RK3,
+            },
+            courant: scenario.time.courant,
+            step: scenario.time.step.map(|step| step / time),
+            end: scenario.time.end / time,
+            growth_margin: scenario.time.growth_margin,
+            probe,
+            is_conserving: is_conserving(scenario),
+        })
+    }
+
+    /// The unit of time in the scenario's units.
+    pub fn unit_of_time(&self) -> f64 {
+        self.units.length / self.units.velocity
+    }
+
+    /// The unit of weight, a volume, in the scenario's units.
+    pub fn unit_of_volume(&self) -> f64 {
+        self.units.length.powi(self.dimension as i32)
+    }
+
+    /// The domain, in the scalar and dimension of the run.
+    pub(super) fn domain<S: Scalar, const D: usize>(&self) -> Domain<S, D> {
+        Domain {
+            axes: std::array::from_fn(|i| Axis {
+                lower: S::from_f64(self.axes[i].lower),
+                upper: S::from_f64(self.axes[i].upper),
+                sides: self.axes[i].sides,
+            }),
+        }
+    }
+
+    /// The particles, in the scalar and dimension of the run, with zeros for components beyond
+    /// those of the plan.
+    pub(super) fn particles<S: Scalar, const D: usize, const P: usize>(
+        &self,
+    ) -> impl Iterator<Item = Particle<S, D, P>> {
+        let values = self.values.chunks_exact(self.names.len());
+        let places = self.positions.iter().zip(&self.weights);
+        places.zip(values).map(|((x, &w), u)| Particle {
+            position: std::array::from_fn(|i| S::from_f64(x[i])),
+            weight: S::from_f64(w),
+            value: std::array::from_fn(|i| u.get(i).map_or(S::ZERO, |&u| S::from_f64(u))),
+        })
+    }
+
+    /// Refuses numbers that the format cannot hold to 1 %.
+    pub(super) fn check_format<S: Scalar>(&self, scalar: &str) -> Result<(), RunError> {
+        let largest = |values: &[f64]| values.iter().map(|u| u.abs()).fold(0.0, f64::max);
+        let mut numbers = vec![
+            ("epsilon", self.epsilon),
+            ("the duration", self.end),
+            ("courant", self.courant),
+            ("the number of particles", self.weights.len() as f64),
+            ("a weight", largest(&self.weights)),
+            ("a value", largest(&self.values)),
+        ];
+        numbers.extend(self.step.map(|step| ("the time step", step)));
+        for axis in &self.axes[..self.dimension] {
+            numbers.push(("the length of the domain", axis.upper - axis.lower));
+        }
+        check_numbers::<S>(&numbers, scalar)
+    }
+
+    /// The system of transport; `None` for another one, as of all below.
+    pub(super) fn transport<S: Scalar, const D: usize>(
+        &self,
+    ) -> Option<Transport<S, NamedField<S, D>>> {
+        let System::Transport {
+            velocity,
+            decay,
+            source,
+        } = &self.system
+        else {
+            return None;
+        };
+        let field = PlannedField {
+            field: velocity.clone(),
+            ..self.field.clone()
+        };
+        Some(Transport {
+            velocity: field.named(),
+            decay: S::from_f64(decay * self.unit_of_time()),
+            source: S::from_f64(source * self.unit_of_time()),
+        })
+    }
+
+    /// The system of acoustics.
+    pub(super) fn acoustics<S: Scalar>(&self) -> Option<Acoustics<S>> {
+        match self.system {
+            System::Acoustics {
+                density,
+                sound_speed,
+            } => Some(Acoustics::new(density, sound_speed, self.units)),
+            _ => None,
+        }
+    }
+
+    /// The telegraph line.
+    pub(super) fn telegraph<S: Scalar>(&self) -> Option<Telegraph<S>> {
+        match self.system {
+            System::Telegraph {
+                inductance,
+                capacitance,
+                resistance,
+                conductance,
+            } => Some(Telegraph::new(
+                [capacitance, inductance],
+                [conductance, resistance],
+                self.units,
+            )),
+            _ => None,
+        }
+    }
+
+    /// Linear shallow water.
+    pub(super) fn shallow_water<S: Scalar>(&self) -> Option<ShallowWater<S>> {
+        match self.system {
+            System::ShallowWater {
+                gravity,
+                depth,
+                coriolis,
+            } => Some(ShallowWater::new(gravity, depth, coriolis, self.units)),
+            _ => None,
+        }
+    }
+
+    /// Maxwell's equations.
+    pub(super) fn maxwell<S: Scalar>(&self) -> Option<MaxwellTe<S>> {
+        match self.system {
+            System::MaxwellTe {
+                permittivity,
+                permeability,
+            } => Some(MaxwellTe::new(permittivity, permeability, self.units)),
+            _ => None,
+        }
+    }
+
+    /// Elastic waves.
+    pub(super) fn elastic_waves<S: Scalar>(&self) -> Option<ElasticWaves<S>> {
+        match self.system {
+            System::ElasticWaves {
+                density,
+                lambda,
+                mu,
+            } => Some(ElasticWaves::new(density, [lambda, mu], self.units)),
+            _ => None,
+        }
+    }
+
+    /// The linearised gas.
+    pub(super) fn linearised_gas<S: Scalar, const D: usize>(&self) -> Option<LinearisedGas<S, D>> {
+        match &self.system {
+            System::LinearisedGas {
+                density,
+                pressure,
+                gamma,
+                velocity,
+            } => Some(LinearisedGas::new(
+                *density,
+                (gamma * pressure / density).sqrt(),
+                std::array::from_fn(|i| velocity[i]),
+                self.units,
+            )),
+            _ => None,
+        }
+    }
+
+    /// A system given by its matrices, with zeros beyond their size.
+    pub(super) fn matrices<S: Scalar, const D: usize, const P: usize>(
+        &self,
+    ) -> Option<Matrices<S, D, P>> {
+        let System::Matrices {
+            components,
+            flux,
+            decay,
+            ..
+        } = &self.system
+        else {
+            return None;
+        };
+        let symmetriser = self.symmetriser.as_ref()?;
+        let square = |matrix: &[f64], factor: f64| -> [[S; P]; P] {
+            std::array::from_fn(|i| {
+                std::array::from_fn(|j| match i.max(j) < *components {
+                    true => S::from_f64(factor * matrix[i * components + j]),
+                    false => S::ZERO,
+                })
+            })
+        };
+        let time = self.unit_of_time();
+        Some(Matrices {
+            flux: std::array::from_fn(|i| square(&flux[i], 1.0 / self.units.velocity)),
+            decay: square(decay, time),
+            symmetriser: square(&symmetriser.matrix, 1.0),
+            speed: S::from_f64(symmetriser.speed / self.units.velocity),
+            damping: S::from_f64(time * row_sum(decay, *components)),
+            growth: S::from_f64(time * symmetriser.growth(decay)),
+        })
+    }
+}
+
+/// The largest sum of `|coefficients|` of a row: a bound of the eigenvalues.
+fn row_sum(matrix: &[f64], size: usize) -> f64 {
+    let rows = matrix.chunks_exact(size);
+    rows.map(|row| row.iter().map(|a| a.abs()).sum())
+        .fold(0.0, f64::max)
+}
+
+/// One direction of the domain.
+fn axis(scenario: &LinearScenario, i: usize, spacing: f64) -> Axis<f64> {
+    let Some(sides) = scenario.domain.sides.get(i) else {
+        return Axis::FREE;
+    };
+    let extent = &scenario.domain.extent;
+    let half = 0.5 * (extent.upper[i] - extent.lower[i]) / spacing;
+    Axis {
+        lower: -half,
+        upper: half,
+        sides: sides.map(|side| match side {
+            scenario::Side::Periodic => Side::Periodic,
+            scenario::Side::Mirror => Side::Mirror,
+            _ => Side::Free,
+        }),
+    }
+}
+
+/// The fastest of waves, flows and particles at the start; 1 where nothing moves.
+fn velocity(
+    scenario: &LinearScenario,
+    symmetriser: Option<&Symmetriser>,
+    positions: &[[f64; 3]],
+) -> f64 {
+    let waves = scenario.system.wave_speed();
+    let waves = symmetriser.map_or(waves, |symmetriser| symmetriser.speed);
+    let flow = match &scenario.system {
+        System::Transport { velocity, .. } => Some(velocity),
+        _ => None,
+    };
+    let fastest = |field: &Field| {
+        let planned = PlannedField {
+            field: field.clone(),
+            extent: scenario.domain.extent.clone(),
+            units: Units::ONE,
+        };
+        planned.fastest(positions)
+    };
+    let flow = flow.map_or(0.0, fastest);
+    let fastest = waves.max(flow).max(fastest(&scenario.motion));
+    if fastest > 0.0 { fastest } else { 1.0 }
+}
+
+/// Whether nothing changes the sums of the strengths.
+fn is_conserving(scenario: &LinearScenario) -> bool {
+    let sides = scenario.domain.sides.iter().flatten();
+    let walls = sides.filter(|&&side| side == scenario::Side::Mirror).count() > 0;
+    let calm = match &scenario.system {
+        System::Transport { decay, source, .. } => *decay == 0.0 && *source == 0.0,
+        System::Telegraph {
+            resistance,
+            conductance,
+            ..
+        } => *resistance == 0.0 && *conductance == 0.0,
+        System::ShallowWater { coriolis, .. } => *coriolis == 0.0,
+        System::Matrices { decay, .. } => decay.iter().all(|&a| a == 0.0),
+        _ => true,
+    };
+    calm && !walls
+}

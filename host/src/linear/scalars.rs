@@ -1,0 +1,142 @@
+//! From the names of a scalar and a system to the code that runs with them.
+
+#[cfg(all(feature = "every-scalar", not(test)))]
+use fixed::types::extra::{U12, U16, U18, U19, U20, U22, U32, U40, U48};
+use motes_core::equation::linear::FirstOrderSystem;
+#[cfg(all(feature = "every-scalar", not(test)))]
+use motes_core::scalar::{Checked, Micro, Q32, Q64};
+
+use super::limits::LinearError;
+use super::outcome::Outcome;
+use super::plan::Plan;
+use super::run::{Control, run_with};
+use crate::engine::{HostScalar, Threads};
+use crate::scenario::linear::System;
+use crate::simulation::ScalarName;
+
+/// A run with everything but its types chosen.
+struct Call<'a, 'c, 'd> {
+    plan: &'a Plan,
+    scalar: ScalarName,
+    engine: &'a mut Threads,
+    control: &'c mut Control<'d>,
+}
+
+/// Runs `plan` to its end; `checked` marks overflow in fixed point and stops at the first.
+///
+/// # Errors
+/// What [`LinearError`] lists.
+pub fn run(
+    plan: &Plan,
+    scalar: ScalarName,
+    checked: bool,
+    engine: &mut Threads,
+    control: &mut Control<'_>,
+) -> Result<Outcome, LinearError> {
+    let call = Call {
+        plan,
+        scalar,
+        engine,
+        control,
+    };
+    let _ = checked;
+    match scalar {
+        ScalarName::F64 => call.in_floats::<f64>(),
+        ScalarName::F32 => call.in_floats::<f32>(),
+        #[cfg(all(feature = "every-scalar", not(test)))]
+        ScalarName::Micromath => call.in_fixed_point::<Micro>(),
+        #[cfg(all(feature = "every-scalar", not(test)))]
+        ScalarName::Q9p22 => call.maybe_checked::<Q32<U22>>(checked),
+        #[cfg(all(feature = "every-scalar", not(test)))]
+        ScalarName::Q11p20 => call.maybe_checked::<Q32<U20>>(checked),
+        #[cfg(all(feature = "every-scalar", not(test)))]
+        ScalarName::Q12p19 => call.maybe_checked::<Q32<U19>>(checked),
+        #[cfg(all(feature = "every-scalar", not(test)))]
+        ScalarName::Q13p18 => call.maybe_checked::<Q32<U18>>(checked),
+        #[cfg(all(feature = "every-scalar", not(test)))]
+        ScalarName::Q15p16 => call.maybe_checked::<Q32<U16>>(checked),
+        #[cfg(all(feature = "every-scalar", not(test)))]
+        ScalarName::Q19p12 => call.maybe_checked::<Q32<U12>>(checked),
+        #[cfg(all(feature = "every-scalar", not(test)))]
+        ScalarName::Q15p48 => call.maybe_checked::<Q64<U48>>(checked),
+        #[cfg(all(feature = "every-scalar", not(test)))]
+        ScalarName::Q23p40 => call.maybe_checked::<Q64<U40>>(checked),
+        #[cfg(all(feature = "every-scalar", not(test)))]
+        ScalarName::Q31p32 => call.maybe_checked::<Q64<U32>>(checked),
+    }
+}
+
+/// How many components a system given by its matrices is compiled for: the least that hold them.
+macro_rules! in_components {
+    ($call:expr, $scalar:ty, $d:literal) => {
+        match $call.plan.names.len() {
+            0..=2 => $call.with::<$scalar, _, $d, 2>(|plan| plan.matrices()),
+            3..=4 => $call.with::<$scalar, _, $d, 4>(|plan| plan.matrices()),
+            _ => $call.with::<$scalar, _, $d, 8>(|plan| plan.matrices()),
+        }
+    };
+}
+
+impl Call<'_, '_, '_> {
+    fn in_floats<S: HostScalar>(self) -> Result<Outcome, LinearError> {
+        match (&self.plan.system, self.plan.dimension) {
+            (System::Transport { .. }, 2) => self.with::<S, _, 2, 1>(Plan::transport),
+            (System::Transport { .. }, 3) => self.with::<S, _, 3, 1>(Plan::transport),
+            (System::Acoustics { .. }, 2) => self.with::<S, _, 2, 3>(Plan::acoustics),
+            (System::Acoustics { .. }, 3) => self.with::<S, _, 3, 4>(Plan::acoustics),
+            (System::ShallowWater { .. }, _) => self.with::<S, _, 2, 3>(Plan::shallow_water),
+            (System::MaxwellTe { .. }, _) => self.with::<S, _, 2, 3>(Plan::maxwell),
+            (System::ElasticWaves { .. }, _) => self.with::<S, _, 2, 5>(Plan::elastic_waves),
+            (System::LinearisedGas { .. }, 1) => self.with::<S, _, 1, 3>(Plan::linearised_gas),
+            (System::LinearisedGas { .. }, 2) => self.with::<S, _, 2, 4>(Plan::linearised_gas),
+            (System::LinearisedGas { .. }, _) => self.with::<S, _, 3, 5>(Plan::linearised_gas),
+            (System::Matrices { .. }, 1) => in_components!(self, S, 1),
+            (System::Matrices { .. }, 2) => in_components!(self, S, 2),
+            (System::Matrices { .. }, _) => in_components!(self, S, 3),
+            _ => self.in_fixed_point::<S>(),
+        }
+    }
+
+    /// The systems for which a fixed-point format is compiled: those of one dimension that a
+    /// device may want.
+    fn in_fixed_point<S: HostScalar>(self) -> Result<Outcome, LinearError> {
+        match (&self.plan.system, self.plan.dimension) {
+            (System::Transport { .. }, 1) => self.with::<S, _, 1, 1>(Plan::transport),
+            (System::Acoustics { .. }, 1) => self.with::<S, _, 1, 2>(Plan::acoustics),
+            (System::Telegraph { .. }, _) => self.with::<S, _, 1, 2>(Plan::telegraph),
+            _ => Err(self.refused()),
+        }
+    }
+
+    #[cfg(all(feature = "every-scalar", not(test)))]
+    fn maybe_checked<S>(self, checked: bool) -> Result<Outcome, LinearError>
+    where
+        S: HostScalar,
+        Checked<S>: HostScalar,
+    {
+        if checked {
+            self.in_fixed_point::<Checked<S>>()
+        } else {
+            self.in_fixed_point::<S>()
+        }
+    }
+
+    fn with<S: HostScalar, F: FirstOrderSystem<S, D, P>, const D: usize, const P: usize>(
+        self,
+        system: impl Fn(&Plan) -> Option<F>,
+    ) -> Result<Outcome, LinearError> {
+        let Some(system) = system(self.plan) else {
+            return Err(self.refused());
+        };
+        let law = (self.plan.cut_off, system);
+        run_with::<S, _, F, D, P>(self.plan, self.scalar.name(), law, self.engine, self.control)
+    }
+
+    fn refused(&self) -> LinearError {
+        LinearError::NoFixedPoint {
+            system: self.plan.system.name(),
+            dimension: self.plan.dimension,
+            scalar: self.scalar.name().to_owned(),
+        }
+    }
+}

@@ -1,0 +1,291 @@
+//! A CSV file of particles as rows of numbers, with faults that name line, field and cure.
+
+use std::fmt;
+use std::ops::Range;
+use std::path::Path;
+
+use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
+
+use super::LARGEST;
+
+/// Why a file is no cloud of particles, and where.
+///
+/// As a `miette::Report` it prints `file:line:column`, the line itself and the cure.
+#[derive(Debug)]
+pub struct CloudError {
+    message: String,
+    help: String,
+    place: Option<(NamedSource<String>, Range<usize>)>,
+}
+
+impl fmt::Display for CloudError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for CloudError {}
+
+impl Diagnostic for CloudError {
+    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
+        Some(Box::new(&self.help))
+    }
+
+    fn source_code(&self) -> Option<&dyn SourceCode> {
+        let (text, _) = self.place.as_ref()?;
+        Some(text)
+    }
+
+    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
+        let (_, span) = self.place.as_ref()?;
+        let label = LabeledSpan::at(span.clone(), "here");
+        Some(Box::new(std::iter::once(label)))
+    }
+}
+
+/// Reads a file and parses it.
+pub(crate) fn read<T>(
+    path: &Path,
+    parsed: impl FnOnce(&Table<'_>) -> Result<T, Fault>,
+) -> Result<T, Box<CloudError>> {
+    let name = path.display().to_string();
+    let nowhere = |message: String, help: &str| {
+        Box::new(CloudError {
+            message,
+            help: help.to_owned(),
+            place: None,
+        })
+    };
+    let help = "check resolution.file: it is looked for in the folder of the scenario";
+    let bytes = std::fs::read(path)
+        .map_err(|error| nowhere(format!("cannot read `{name}`: {error}"), help))?;
+    let text = String::from_utf8(bytes).map_err(|_| {
+        nowhere(
+            format!("`{name}` is not UTF-8 text"),
+            "give a CSV file with a heading and a row a particle",
+        )
+    })?;
+    let result = Table::of(&text).and_then(|table| parsed(&table));
+    result.map_err(|fault| {
+        Box::new(CloudError {
+            message: fault.message,
+            help: fault.help,
+            place: Some((NamedSource::new(&name, text.clone()), fault.span)),
+        })
+    })
+}
+
+/// Something wrong at some bytes of the text.
+pub(crate) struct Fault {
+    message: String,
+    help: String,
+    span: Range<usize>,
+}
+
+impl Fault {
+    pub(crate) fn new(message: String, help: impl Into<String>, span: Range<usize>) -> Self {
+        let help = help.into();
+        Self {
+            message,
+            help,
+            span,
+        }
+    }
+}
+
+/// The text of a file, and its heading.
+pub(crate) struct Table<'a> {
+    text: &'a str,
+    heading: csv::StringRecord,
+}
+
+impl<'a> Table<'a> {
+    fn of(text: &'a str) -> Result<Self, Fault> {
+        let heading = reader(text).headers().cloned();
+        let heading = heading.map_err(|error| {
+            let line = 0..text.find('\n').unwrap_or(text.len());
+            Fault::new(error.to_string(), "give a heading", line)
+        })?;
+        Ok(Self { text, heading })
+    }
+
+    /// Where the heading stands.
+    pub(crate) fn first_line(&self) -> Range<usize> {
+        0..self.text.find('\n').unwrap_or(self.text.len())
+    }
+
+    /// A fault of the heading; the help is completed with the columns that there are.
+    pub(crate) fn fault(&self, message: String, need: &str) -> Fault {
+        let columns = self.heading.iter().collect::<Vec<_>>().join(", ");
+        let help = format!("{need}; the columns are: {columns}");
+        Fault::new(message, help, self.first_line())
+    }
+
+    /// A column, if it is there.
+    pub(crate) fn optional(&self, name: &str) -> Option<Column> {
+        let index = self.heading.iter().position(|column| column == name)?;
+        let name = name.to_owned();
+        Some(Column { name, index })
+    }
+
+    /// A column; `need` says which ones a file has.
+    pub(crate) fn required(&self, name: &str, need: &str) -> Result<Column, Fault> {
+        let missing = || self.fault(format!("there is no column `{name}`"), need);
+        self.optional(name).ok_or_else(missing)
+    }
+
+    /// The columns of a vector: `name_x` and so on; in one dimension `name` will do.
+    pub(crate) fn vector(
+        &self,
+        name: &str,
+        dimension: usize,
+        need: &str,
+    ) -> Result<Vec<Column>, Fault> {
+        let plain = self.optional(name).filter(|_| dimension == 1);
+        if let Some(column) = plain {
+            return Ok(vec![column]);
+        }
+        let axes = ["x", "y", "z"].into_iter().take(dimension);
+        axes.map(|axis| self.required(&format!("{name}_{axis}"), need))
+            .collect()
+    }
+
+    /// Takes one row after the other.
+    ///
+    /// # Errors
+    /// A row with too few or too many fields, no row at all, more than ids can count, and what
+    /// the caller finds.
+    pub(crate) fn rows(
+        &self,
+        mut take: impl FnMut(&Row<'_>) -> Result<(), Fault>,
+    ) -> Result<(), Fault> {
+        let mut count = 0;
+        for record in reader(self.text).records() {
+            let record = record.map_err(|error| broken(self.text, &error))?;
+            if count == LARGEST {
+                let message = format!("more than {LARGEST} particles");
+                return Err(Fault::new(message, "give fewer particles", self.first_line()));
+            }
+            count += 1;
+            take(&Row {
+                text: self.text,
+                record: &record,
+            })?;
+        }
+        if count > 0 {
+            return Ok(());
+        }
+        let message = "there are no particles in the file".to_owned();
+        Err(Fault::new(message, "add a row a particle", self.first_line()))
+    }
+}
+
+fn reader(text: &str) -> csv::Reader<&[u8]> {
+    csv::ReaderBuilder::new()
+        .trim(csv::Trim::All)
+        .from_reader(text.as_bytes())
+}
+
+/// A row that is no record: most often one with too few or too many fields.
+fn broken(text: &str, error: &csv::Error) -> Fault {
+    let start = error
+        .position()
+        .map_or(0, |position| position.byte() as usize);
+    let message = match error.kind() {
+        csv::ErrorKind::UnequalLengths {
+            pos,
+            expected_len,
+            len,
+        } => {
+            let line = pos.as_ref().map_or(0, |position| position.line());
+            format!("line {line} has {len} fields, the heading has {expected_len}")
+        }
+        _ => error.to_string(),
+    };
+    let help = "give every row a field for each column; a file cut short ends like this";
+    Fault::new(message, help, line_at(text, start))
+}
+
+/// The line that begins at a byte, or behind the line end there.
+fn line_at(text: &str, byte: usize) -> Range<usize> {
+    let rest = text.get(byte..).unwrap_or("");
+    let start = byte.min(text.len()) + (rest.len() - rest.trim_start().len());
+    let rest = text.get(start..).unwrap_or("");
+    start..start + rest.find(['\r', '\n']).unwrap_or(rest.len())
+}
+
+/// A record and the text it comes from.
+pub(crate) struct Row<'a> {
+    text: &'a str,
+    record: &'a csv::StringRecord,
+}
+
+impl Row<'_> {
+    pub(crate) fn field(&self, column: &Column) -> &str {
+        self.record.get(column.index).unwrap_or("")
+    }
+
+    pub(crate) fn line(&self) -> u64 {
+        self.record.position().map_or(0, |position| position.line())
+    }
+
+    /// The bytes of a field; the whole line if it has quotes.
+    pub(crate) fn span(&self, column: &Column) -> Range<usize> {
+        let start = self.record.position().map_or(0, |position| position.byte());
+        let line = line_at(self.text, start as usize);
+        let content = &self.text[line.clone()];
+        if content.contains('"') {
+            return line;
+        }
+        let mut start = line.start;
+        for (index, field) in content.split(',').enumerate() {
+            if index == column.index {
+                return start..start + field.len();
+            }
+            start += field.len() + 1;
+        }
+        line
+    }
+
+    /// A fault of a field: `line 3, mass = -1: need ...`.
+    pub(crate) fn fault(&self, column: &Column, need: &str) -> Fault {
+        let message = format!(
+            "line {}, {} = {}",
+            self.line(),
+            column.name,
+            self.field(column)
+        );
+        Fault::new(message, need, self.span(column))
+    }
+
+    pub(crate) fn number(&self, column: &Column) -> Result<f64, Fault> {
+        let number = self.field(column).parse::<f64>().ok();
+        number
+            .filter(|number| number.is_finite())
+            .ok_or_else(|| self.fault(column, "need an ordinary number"))
+    }
+
+    /// A coordinate between bounds.
+    pub(crate) fn within(&self, column: &Column, [lower, upper]: [f64; 2]) -> Result<f64, Fault> {
+        let x = self.number(column)?;
+        if (lower..=upper).contains(&x) {
+            return Ok(x);
+        }
+        let need = format!("need a place in the domain: [{lower}, {upper}]");
+        Err(self.fault(column, &need))
+    }
+
+    pub(crate) fn positive(&self, column: &Column) -> Result<f64, Fault> {
+        let number = self.number(column)?;
+        match number > 0.0 {
+            true => Ok(number),
+            false => Err(self.fault(column, "need a number larger than 0")),
+        }
+    }
+}
+
+/// A column that is read.
+pub(crate) struct Column {
+    pub(crate) name: String,
+    index: usize,
+}

@@ -1,10 +1,11 @@
 //! The state at t = 0, by name; each has a solution.
 
-use super::super::bound::POSITIVE;
-use super::super::error::Fault;
-use super::super::section::{ANY, Entry, Section};
-use super::super::{Domain, Side};
 use super::{System, field};
+use crate::scenario::bound::POSITIVE;
+use crate::scenario::entry::{ANY, Entry};
+use crate::scenario::error::Fault;
+use crate::scenario::section::Section;
+use crate::scenario::{Domain, Side};
 
 /// A state at t = 0 of which the state at later times is known. `k` is
 /// `2π (wave_x/length_x, wave_y/length_y, ..)`, the lengths those of the domain.
@@ -167,7 +168,7 @@ fn state(entry: &Entry<'_>, components: usize) -> Result<Vec<f64>, Fault> {
     let entries = entry.list("a list with one number a component")?;
     if entries.len() != components {
         let found = entries.len();
-        let reason = format!("its length is {found}, system.components = {components}");
+        let reason = format!("its length is {found}, components = {components}");
         return Err(entry.does_not_fit(reason, "give one number a component"));
     }
     entries.iter().map(|entry| entry.number(ANY)).collect()

@@ -30,13 +30,13 @@ pub enum System {
     /// `C ∂v/∂t + ∂i/∂x + G v = 0`, `L ∂i/∂t + ∂v/∂x + R i = 0`: voltage, current; one
     /// dimension.
     Telegraph {
-        /// `L`, a length, > 0.
+        /// `L`, per length, > 0.
         inductance: f64,
-        /// `C`, a length, > 0.
+        /// `C`, per length, > 0.
         capacitance: f64,
-        /// `R`, a length, >= 0.
+        /// `R`, per length, >= 0.
         resistance: f64,
-        /// `G`, a length, >= 0.
+        /// `G`, per length, >= 0.
         conductance: f64,
     },
     /// `∂η/∂t + depth div v = 0`, `∂v/∂t + gravity grad η + coriolis (-v_y, v_x) = 0`:

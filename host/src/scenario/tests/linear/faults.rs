@@ -194,6 +194,10 @@ fn a_round_pulse_of_sound_runs_in_the_open() {
     let closed = ["domain.sides=[\"periodic\", \"periodic\"]"];
     let error = built_in_linear("acoustics2d", &closed).unwrap_err();
     assert_report_holds(&error, &["initial.kind", "all of domain.sides to \"free\""]);
+    let line = LINE.replace("\"exp-sine\"", "\"gaussian\"\nwidth = 0.1");
+    linear(&line, &[]).unwrap();
+    let walls = linear(&line, &["domain.sides=[\"mirror\"]"]).unwrap_err();
+    assert_report_holds(&walls, &["initial.kind", "all of domain.sides to \"free\""]);
 }
 
 #[test]

@@ -70,7 +70,7 @@ fn list() -> Result<(), Failure> {
         let scenario = AnyScenario::read(source, &[]);
         let scenario = scenario.map_err(|error| Failure::Input(error.into()))?;
         let (name, description) = (scenario.name(), scenario.description());
-        print(&format!("{name:<20} {description}\n"))?;
+        print(&format!("{name:<22} {description}\n"))?;
     }
     Ok(())
 }

@@ -43,6 +43,17 @@ built_in! {
     "sod3d"
     "noh3d"
     "sedov3d"
+    "acoustics1d"
+    "acoustics2d"
+    "telegraph"
+    "transport-rotation"
+    "transport-shear"
+    "transport-compression"
+    "transport-mesh"
+    "shallow-water"
+    "maxwell-te"
+    "elastic-waves"
+    "linearised-gas"
 }
 
 /// The built-in scenario of this name, if there is one.

@@ -1,9 +1,10 @@
 //! The boxes and balls of a scenario: domain, regions, deposits, window.
 
 use super::bound::POSITIVE;
+use super::entry::Entry;
 use super::error::Fault;
 use super::problem::Problem;
-use super::section::{Entry, Section};
+use super::section::Section;
 use super::{Ball, Domain, Extent, Region, Side};
 
 const SIDES: &[(&str, Side)] = &[

@@ -2,9 +2,10 @@
 
 use super::Domain;
 use super::bound::{AMPLITUDE, POSITIVE};
+use super::entry::{ANY, Entry};
 use super::error::Fault;
 use super::material::{EquationOfState, Material};
-use super::section::{ANY, Entry, Section};
+use super::section::Section;
 
 /// A state at t = 0 that fills the domain; an ideal gas. Vortices and Noh's collapse are
 /// centred at the origin.

@@ -1,10 +1,11 @@
 //! The regions of uniform gas at t = 0, and the energy deposited in it.
 
 use super::bound::POSITIVE;
+use super::entry::{ANY, Entry};
 use super::error::Fault;
 use super::geometry;
 use super::material::{EquationOfState, Material};
-use super::section::{ANY, Entry, Section};
+use super::section::Section;
 use super::{Ball, Extent};
 
 /// A box or a ball of uniform gas at t = 0.

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use super::bound::FRACTION;
+use super::entry::Entry;
 use super::error::Fault;
 use super::profile::Profile;
-use super::section::{Entry, Section};
+use super::section::Section;
 use super::{Domain, Side};
 
 /// How many particles, and how they are placed.

@@ -9,7 +9,7 @@ use super::problem::Problem;
 
 /// The text with the changes made, comments and the order of keys kept.
 ///
-/// A change to one of `cut-off.eta` and `cut-off.epsilon` takes out the other,
+/// A change to one of `cut-off.eta` (with `theta`) and `cut-off.epsilon` takes out the other,
 /// since a scenario has exactly one of them; so with `every` and `steps` of snapshots.
 pub(super) fn with_overrides(
     text: &str,
@@ -167,7 +167,7 @@ fn subsection<'a>(
 fn put(table: &mut dyn TableLike, key: &str, mut value: Value) {
     match key {
         "eta" => drop(table.remove("epsilon")),
-        "epsilon" => drop(table.remove("eta")),
+        "epsilon" => drop((table.remove("eta"), table.remove("theta"))),
         "every" => drop(table.remove("steps")),
         "steps" => drop(table.remove("every")),
         _ => {}

@@ -1,10 +1,11 @@
 //! Fields of velocities: what the particles follow, and what carries a transported quantity.
 
-use super::super::error::Fault;
-use super::super::geometry::AXES;
-use super::super::section::{ANY, Entry, Section};
-use super::super::{Domain, Side};
 use super::System;
+use crate::scenario::entry::{ANY, Entry};
+use crate::scenario::error::Fault;
+use crate::scenario::geometry::AXES;
+use crate::scenario::section::Section;
+use crate::scenario::{Domain, Side};
 
 /// A field of velocities `a(x)`.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,7 +57,7 @@ const KINDS: [(&str, &[&str]); 6] = [
 ];
 
 /// What the particles of a transported quantity do unless told: they go with it.
-const FLOW: (&str, &[&str]) = ("flow", &[]);
+const FLOW: &str = "flow";
 
 impl Field {
     /// Its name in a scenario.
@@ -106,14 +107,13 @@ pub(super) fn motion(root: &Section<'_>, system: &System, domain: &Domain) -> Re
     };
     let section = entry.section()?;
     let kind = section.required("kind")?;
-    if kind.text()? != FLOW.0 {
+    if kind.text()? != FLOW {
         return field(&entry, domain);
     }
     if !matches!(system, System::Transport { .. }) {
         let reason = format!("{} has no velocity that could be followed", system.name());
         return Err(kind.does_not_fit(reason, "set kind = \"still\", or give another field"));
     }
-    section.only(FLOW.0, &["kind"], FLOW.1)?;
     Ok(usual.clone())
 }
 
@@ -123,7 +123,7 @@ pub(super) fn field(entry: &Entry<'_>, domain: &Domain) -> Result<Field, Fault> 
     let kind = section.required("kind")?;
     let (name, keys) = kind.choice(&KINDS.map(|kind| (kind.0, kind)))?;
     if name == "still" {
-        // So that `--set motion.kind=still` alone stops the particles.
+        // Whatever else there is, so that `--set motion.kind=still` alone stops the particles.
         return Ok(Field::Still);
     }
     section.only(name, &["kind"], keys)?;

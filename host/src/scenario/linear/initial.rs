@@ -1,17 +1,19 @@
 //! The state at t = 0, by name; each has a solution.
 
-use super::super::bound::POSITIVE;
-use super::super::error::Fault;
-use super::super::section::{ANY, Entry, Section};
-use super::super::{Domain, Side};
 use super::{System, field};
+use crate::scenario::bound::POSITIVE;
+use crate::scenario::entry::{ANY, Entry};
+use crate::scenario::error::Fault;
+use crate::scenario::section::Section;
+use crate::scenario::{Domain, Side};
 
 /// A state at t = 0 of which the state at later times is known. `k` is
 /// `2π (wave_x/length_x, wave_y/length_y, ..)`, the lengths those of the domain.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Initial {
-    /// `amplitude exp(-|x - center|²/width²)` in the first component, 0 in the others:
-    /// transport; acoustics in one dimension, and in two between free sides.
+    /// `amplitude exp(-|x - center|²/width²)` in the first component, with its images in
+    /// periodic directions, 0 in the others: transport; acoustics in one dimension without
+    /// walls, and in two between free sides.
     Gaussian {
         /// The middle of the domain unless told.
         center: Vec<f64>,
@@ -28,14 +30,14 @@ pub enum Initial {
     PlaneWave {
         /// Whole wavelengths in the domain along each direction, not all 0.
         wave: Vec<i32>,
-        /// Of the first component that the wave has.
+        /// Of the pressure; the elevation; the velocity; the density.
         amplitude: f64,
     },
     /// A wave that stands: telegraph and maxwell-te between periodic sides.
     StandingWave {
         /// Whole wavelengths in the domain along each direction, not all 0.
         wave: Vec<i32>,
-        /// Of the first component that the wave has.
+        /// Of the voltage; the magnetic field.
         amplitude: f64,
     },
     /// `state cos(k·(x - lower))`: matrices between periodic sides.
@@ -130,12 +132,16 @@ fn check_sides(
     system: &System,
     domain: &Domain,
 ) -> Result<(), Fault> {
-    let need = match (name, system, domain.sides.len()) {
-        ("gaussian", System::Acoustics { .. }, 2) => Side::Free,
-        ("gaussian", ..) => return Ok(()),
+    let is_sound = matches!(system, System::Acoustics { .. });
+    let sides = || domain.sides.iter().flatten();
+    let need = match (name, domain.sides.len()) {
+        // Along a line the pulse has images, but no echo.
+        ("gaussian", 1) if is_sound && sides().any(|&side| side == Side::Mirror) => Side::Free,
+        ("gaussian", 2..) if is_sound => Side::Free,
+        ("gaussian", _) => return Ok(()),
         _ => Side::Periodic,
     };
-    if domain.sides.iter().flatten().all(|&side| side == need) {
+    if sides().all(|&side| side == need) {
         return Ok(());
     }
     let (word, why) = match need {
@@ -167,7 +173,7 @@ fn state(entry: &Entry<'_>, components: usize) -> Result<Vec<f64>, Fault> {
     let entries = entry.list("a list with one number a component")?;
     if entries.len() != components {
         let found = entries.len();
-        let reason = format!("its length is {found}, system.components = {components}");
+        let reason = format!("its length is {found}, components = {components}");
         return Err(entry.does_not_fit(reason, "give one number a component"));
     }
     entries.iter().map(|entry| entry.number(ANY)).collect()

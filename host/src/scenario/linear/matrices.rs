@@ -1,8 +1,9 @@
 //! A system given by its matrices.
 
-use super::super::error::Fault;
-use super::super::section::{ANY, Entry, Section};
 use super::System;
+use crate::scenario::entry::{ANY, Entry};
+use crate::scenario::error::Fault;
+use crate::scenario::section::Section;
 
 /// The most components that a system given by matrices may have.
 const MOST: u32 = 8;
@@ -65,10 +66,8 @@ fn matrix(entry: &Entry<'_>, size: usize) -> Result<Vec<f64>, Fault> {
 fn names(entry: &Entry<'_>, components: usize) -> Result<Vec<String>, Fault> {
     let entries = entry.list("a list of names")?;
     if entries.len() != components {
-        let reason = format!(
-            "there are {} names, components = {components}",
-            entries.len()
-        );
+        let found = entries.len();
+        let reason = format!("the number of names is {found}, components = {components}");
         return Err(entry.does_not_fit(reason, "give one name a component"));
     }
     let mut names: Vec<String> = Vec::new();
@@ -79,7 +78,7 @@ fn names(entry: &Entry<'_>, components: usize) -> Result<Vec<String>, Fault> {
             .all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
         let is_taken = ["state", "weight"].contains(&name) || name.starts_with("position");
         if name.is_empty() || !is_plain || is_taken {
-            let reason = "it heads a column of the results, and some names are taken".to_owned();
+            let reason = "names head the columns of the results, and some are taken".to_owned();
             let cure = "use letters, digits, - and _; not state, weight, or position in front";
             return Err(entry.does_not_fit(reason, cure));
         }

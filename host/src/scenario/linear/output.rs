@@ -1,12 +1,13 @@
 //! What is written and measured.
 
-use super::super::error::Fault;
-use super::super::geometry::point_inside;
-use super::super::output::{DEFAULT_SAMPLES, samples, snapshots, window};
-use super::super::section::{Entry, Section};
-use super::super::tolerance::{self, Tolerance};
-use super::super::{Extent, Snapshots};
 use super::System;
+use crate::scenario::entry::Entry;
+use crate::scenario::error::Fault;
+use crate::scenario::geometry::point_inside;
+use crate::scenario::output::{DEFAULT_SAMPLES, samples, snapshots, window};
+use crate::scenario::section::Section;
+use crate::scenario::tolerance::{self, Tolerance};
+use crate::scenario::{Extent, Snapshots};
 
 /// What is written and measured.
 #[derive(Debug, Clone, PartialEq)]

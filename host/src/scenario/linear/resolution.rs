@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use super::super::bound::DISTORTION;
-use super::super::error::Fault;
-use super::super::resolution::{file, particles};
-use super::super::section::Section;
+use crate::scenario::bound::DISTORTION;
+use crate::scenario::error::Fault;
+use crate::scenario::resolution::{file, particles};
+use crate::scenario::section::Section;
 
 /// How many particles, and how they are placed.
 #[derive(Debug, Clone, PartialEq)]

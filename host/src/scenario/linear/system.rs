@@ -1,11 +1,12 @@
 //! The systems of equations, by name.
 
-use super::super::Domain;
-use super::super::bound::{GAMMA, NOT_NEGATIVE, POSITIVE};
-use super::super::error::Fault;
-use super::super::geometry::AXES;
-use super::super::section::{ANY, Section};
 use super::{Field, field, matrices};
+use crate::scenario::Domain;
+use crate::scenario::bound::{GAMMA, NOT_NEGATIVE, POSITIVE};
+use crate::scenario::entry::ANY;
+use crate::scenario::error::Fault;
+use crate::scenario::geometry::AXES;
+use crate::scenario::section::Section;
 
 /// A linear first-order system. Its components, in their order, are those of [`System::names`].
 #[derive(Debug, Clone, PartialEq)]
@@ -29,13 +30,13 @@ pub enum System {
     /// `C ∂v/∂t + ∂i/∂x + G v = 0`, `L ∂i/∂t + ∂v/∂x + R i = 0`: voltage, current; one
     /// dimension.
     Telegraph {
-        /// `L`, a length, > 0.
+        /// `L`, per length, > 0.
         inductance: f64,
-        /// `C`, a length, > 0.
+        /// `C`, per length, > 0.
         capacitance: f64,
-        /// `R`, a length, >= 0.
+        /// `R`, per length, >= 0.
         resistance: f64,
-        /// `G`, a length, >= 0.
+        /// `G`, per length, >= 0.
         conductance: f64,
     },
     /// `∂η/∂t + depth div v = 0`, `∂v/∂t + gravity grad η + coriolis (-v_y, v_x) = 0`:
@@ -170,7 +171,7 @@ pub(super) fn system(root: &Section<'_>, domain: &Domain) -> Result<System, Faul
     section.only(name, &["kind"], keys)?;
     let dimension = domain.extent.lower.len();
     if let Some(own) = own.filter(|own| *own != dimension) {
-        let reason = format!("{name} has {own} dimension(s), dimension = {dimension}");
+        let reason = format!("{name} has dimension {own} only, dimension = {dimension}");
         let cure = format!("set dimension = {own}, or choose another system");
         return Err(kind.does_not_fit(reason, &cure));
     }

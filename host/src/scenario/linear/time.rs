@@ -1,8 +1,8 @@
 //! How long a run lasts, and its steps.
 
-use super::super::bound::{COURANT, POSITIVE};
-use super::super::error::Fault;
-use super::super::section::Section;
+use crate::scenario::bound::{COURANT, POSITIVE};
+use crate::scenario::error::Fault;
+use crate::scenario::section::Section;
 
 /// How long, and in what steps.
 #[derive(Debug, Clone, Copy, PartialEq)]

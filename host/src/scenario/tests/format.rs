@@ -633,11 +633,12 @@ fn a_tolerance_needs_a_reason_and_a_norm() {
     );
 }
 
-const PAGE: &str = include_str!("../../../../docs/scenario.md");
+pub(super) const PAGE: &str = include_str!("../../../../docs/scenario.md");
 
 #[test]
 fn the_page_names_every_key_and_every_choice() {
-    for (section, keys) in keys::sections(Family::Gas) {
+    let families = [Family::Gas, Family::Linear];
+    for (section, keys) in families.into_iter().flat_map(keys::sections) {
         for key in keys.iter().filter(|_| *section != "tolerance") {
             let marked = [format!("`{}`", key.name), format!("[{}]", key.name)];
             let named = marked.iter().any(|marked| PAGE.contains(marked));
@@ -653,6 +654,9 @@ fn the_page_names_every_key_and_every_choice() {
         "gresho kelvin-helmholtz equal-mass square hexagonal cubic close-packed sampled glass file",
         "mass volume number pairwise gingold_monaghan von_neumann limited none leapfrog exact",
         "total riemann sedov profile reference vtu csv",
+        "transport acoustics telegraph shallow-water maxwell-te elastic-waves linearised-gas matrices",
+        "still uniform rotation shear compression wave flow gaussian exp-sine plane-wave standing-wave modes",
+        "lattice distorted low-discrepancy rk4 ssp-rk3 initial",
     ];
     for choice in choices.iter().flat_map(|line| line.split(' ')) {
         assert!(

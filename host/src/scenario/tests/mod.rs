@@ -7,6 +7,7 @@ use miette::{GraphicalReportHandler, GraphicalTheme};
 use super::*;
 
 mod format;
+mod linear;
 
 const SOD: &str = BUILT_IN[0].text;
 
@@ -86,9 +87,10 @@ fn the_built_in_sod_tube_reads_as_published() {
 #[test]
 fn every_built_in_scenario_reads_and_carries_its_own_name() {
     for built_in in BUILT_IN {
-        let scenario = Scenario::read(Source::from(built_in.name), &[]).unwrap();
-        assert_eq!(scenario.name, built_in.name);
-        assert!(!scenario.description.is_empty());
+        let scenario = AnyScenario::read(Source::from(built_in.name), &[]).unwrap();
+        assert_eq!(scenario.name(), built_in.name);
+        assert!(!scenario.description().is_empty());
+        assert_eq!(scenario.text(), built_in.text);
     }
 }
 

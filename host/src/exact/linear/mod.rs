@@ -12,4 +12,5 @@ mod residual;
 pub mod shallow_water;
 pub mod solution;
 pub mod system;
+pub mod telegraph;
 pub mod transport;

@@ -3,6 +3,7 @@
 //! Every file but [`transport`] has constant coefficients, and its solution names them as a
 //! [`system::System`]; [`modes`] solves any of those, one wave vector at a time.
 
+pub mod acoustics;
 pub mod error;
 mod gaussian;
 pub mod modes;

@@ -6,6 +6,7 @@
 pub mod acoustics;
 pub mod error;
 mod gaussian;
+pub mod maxwell;
 pub mod modes;
 pub mod plane_wave;
 #[cfg(test)]

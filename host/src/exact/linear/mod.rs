@@ -4,6 +4,7 @@
 //! [`system::System`]; [`modes`] solves any of those, one wave vector at a time.
 
 pub mod acoustics;
+pub mod elastic;
 pub mod error;
 mod gaussian;
 pub mod maxwell;

@@ -7,6 +7,7 @@ pub mod acoustics;
 pub mod elastic;
 pub mod error;
 mod gaussian;
+pub mod linearised_gas;
 pub mod maxwell;
 pub mod modes;
 pub mod plane_wave;

@@ -4,6 +4,7 @@ pub mod finite_volume;
 pub mod flow;
 pub mod gresho;
 pub mod kelvin_helmholtz;
+pub mod linear;
 pub mod moving_centre;
 pub mod noh;
 #[cfg(test)]

@@ -17,9 +17,10 @@ const CORE: [&str; 10] = [
 ];
 
 /// The layers of the host, lowest first.
-const HOST: [&str; 18] = [
+const HOST: [&str; 19] = [
     "units",
     "sums",
+    "symmetriser",
     "engine",
     "exact",
     "scenario",

@@ -16,4 +16,5 @@ pub mod simulation;
 pub mod snapshots;
 pub mod suite;
 pub mod sums;
+pub mod symmetriser;
 pub mod units;

@@ -17,7 +17,7 @@ const CORE: [&str; 10] = [
 ];
 
 /// The layers of the host, lowest first.
-const HOST: [&str; 19] = [
+const HOST: [&str; 20] = [
     "units",
     "sums",
     "symmetriser",
@@ -29,6 +29,7 @@ const HOST: [&str; 19] = [
     "simulation",
     "comparison",
     "experiment",
+    "study",
     "export",
     "io",
     "snapshots",

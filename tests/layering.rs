@@ -17,9 +17,10 @@ const CORE: [&str; 10] = [
 ];
 
 /// The layers of the host, lowest first.
-const HOST: [&str; 18] = [
+const HOST: [&str; 20] = [
     "units",
     "sums",
+    "symmetriser",
     "engine",
     "exact",
     "scenario",
@@ -28,6 +29,7 @@ const HOST: [&str; 18] = [
     "simulation",
     "comparison",
     "experiment",
+    "study",
     "export",
     "io",
     "snapshots",

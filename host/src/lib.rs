@@ -14,6 +14,8 @@ pub mod scenario;
 pub mod setup;
 pub mod simulation;
 pub mod snapshots;
+pub mod study;
 pub mod suite;
 pub mod sums;
+pub mod symmetriser;
 pub mod units;

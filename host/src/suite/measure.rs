@@ -5,6 +5,7 @@ use crate::experiment::Experiment;
 use crate::report::suite::Check;
 use crate::scenario::Norm;
 use crate::simulation::{Look, ScalarName};
+use crate::study::order;
 
 /// What is measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,20 +109,6 @@ impl Measure {
             lower: false,
         })
     }
-}
-
-/// The slope of `ln error` over `ln spacing`, by least squares.
-pub(super) fn order(errors: &[(f64, f64)]) -> f64 {
-    let points: Vec<(f64, f64)> = errors.iter().map(|(h, e)| (h.ln(), e.ln())).collect();
-    let n = points.len() as f64;
-    let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / n;
-    let (x, y) = (mean(|p| p.0), mean(|p| p.1));
-    let (mut above, mut below) = (0.0, 0.0);
-    for (a, b) in &points {
-        above += (a - x) * (b - y);
-        below += (a - x) * (a - x);
-    }
-    above / below
 }
 
 /// `max |p/p* - 1|` over the particles near the contact.
@@ -231,12 +218,6 @@ impl Amplitudes {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_order_is_the_slope_of_a_power_law() {
-        let errors = [0.1, 0.05, 0.025].map(|h: f64| (h, 3.0 * h.powf(1.5)));
-        assert!((order(&errors) - 1.5).abs() < 1e-12);
-    }
 
     #[test]
     fn the_rate_is_that_of_an_exponential() {

@@ -16,6 +16,7 @@ use crate::experiment::Experiment;
 use crate::report::suite::{Check, SuiteRow};
 use crate::scenario::{Scenario, ScenarioError, Source};
 use crate::simulation::{Control, Outcome, Plan, PlanError, RunError, ScalarName};
+use crate::study::order;
 
 /// Why a case has no row.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
@@ -127,7 +128,7 @@ impl Case {
                     }
                     Some(Check {
                         what: format!("{field} {} order", norm.name().to_uppercase()),
-                        measured: measure::order(&errors),
+                        measured: order(&errors),
                         bound: least,
                         reason: reason.to_owned(),
                         lower: true,

@@ -17,7 +17,7 @@ const CORE: [&str; 10] = [
 ];
 
 /// The layers of the host, lowest first.
-const HOST: [&str; 20] = [
+const HOST: [&str; 21] = [
     "units",
     "sums",
     "symmetriser",
@@ -28,6 +28,7 @@ const HOST: [&str; 20] = [
     "setup",
     "simulation",
     "comparison",
+    "linear",
     "experiment",
     "study",
     "export",

@@ -9,6 +9,7 @@ pub mod experiment;
 pub mod export;
 pub mod flows;
 pub mod io;
+pub mod linear;
 pub mod report;
 pub mod scenario;
 pub mod setup;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::outcome::{Cloud, Outcome};
 use crate::comparison::{NormSums, Norms};
-use crate::exact::linear::Solution;
+use crate::exact::linear::solution::Solution;
 use crate::scenario::Extent;
 
 /// The name of all components together: the length of the difference.
@@ -23,7 +23,7 @@ pub fn errors(
 ) -> Option<BTreeMap<String, Norms>> {
     let cloud = &outcome.cloud;
     let inside: Vec<usize> = (0..cloud.len())
-        .filter(|&id| holds(window, &cloud.positions[id]))
+        .filter(|&id| window.contains(&cloud.positions[id]))
         .collect();
     let exact: Vec<Vec<f64>> = inside
         .iter()
@@ -37,7 +37,10 @@ pub fn errors(
         errors.insert(name.clone(), norms);
     }
     let distance = |u: &[f64], exact: &[f64]| -> f64 {
-        let squares = u.iter().zip(exact).map(|(u, exact)| (u - exact) * (u - exact));
+        let squares = u
+            .iter()
+            .zip(exact)
+            .map(|(u, exact)| (u - exact) * (u - exact));
         squares.sum::<f64>().sqrt()
     };
     let state = norms(cloud, &inside, |i, id| distance(cloud.value(id), &exact[i]))?;
@@ -48,12 +51,6 @@ pub fn errors(
     })?;
     errors.insert(RECONSTRUCTION.to_owned(), reconstruction);
     Some(errors)
-}
-
-/// Whether a position is in a box.
-fn holds(window: &Extent, position: &[f64; 3]) -> bool {
-    let bounds = window.lower.iter().zip(&window.upper).zip(position);
-    bounds.into_iter().all(|((&lower, &upper), &x)| (lower..=upper).contains(&x))
 }
 
 /// The norms of an error given for the place in the list and the id of each particle.

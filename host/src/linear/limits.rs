@@ -1,6 +1,6 @@
 //! Why a run of a linear system cannot be, or did not end.
 
-use crate::exact::linear::SolutionError;
+use crate::exact::linear::error::SolutionError;
 use crate::simulation::RunError;
 use crate::symmetriser::SymmetriserError;
 

@@ -5,12 +5,12 @@
 
 use motes_core::cutoff::Named;
 use motes_core::domain::{Axis, Domain, Side};
+use motes_core::equation::linear::NamedField;
 use motes_core::equation::linear::Particle;
 use motes_core::equation::linear::systems::{
     Acoustics, ElasticWaves, LinearisedGas, Matrices, MaxwellTe, ShallowWater, Telegraph,
     Transport, Units,
 };
-use motes_core::equation::linear::NamedField;
 use motes_core::integrator::{RK4, RungeKutta, SSP_RK3};
 use motes_core::scalar::Scalar;
 
@@ -124,7 +124,7 @@ impl Plan {
                 extent: scenario.domain.extent.clone(),
                 units,
             },
-            cut_off: scenario.cut_off.shape.named(),
+            cut_off: scenario.cut_off.shape,
             epsilon: scenario.cut_off.width.epsilon(spacing) / spacing,
             method: match scenario.time.method {
                 Method::Rk4 => RK4,
@@ -383,7 +383,10 @@ fn velocity(
 /// Whether nothing changes the sums of the strengths.
 fn is_conserving(scenario: &LinearScenario) -> bool {
     let sides = scenario.domain.sides.iter().flatten();
-    let walls = sides.filter(|&&side| side == scenario::Side::Mirror).count() > 0;
+    let walls = sides
+        .filter(|&&side| side == scenario::Side::Mirror)
+        .count()
+        > 0;
     let calm = match &scenario.system {
         System::Transport { decay, source, .. } => *decay == 0.0 && *source == 0.0,
         System::Telegraph {

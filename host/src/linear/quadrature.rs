@@ -111,8 +111,13 @@ fn distorted(extent: &Extent, particles: usize, amplitude: f64) -> Quadrature {
     for s in middles {
         let angle = s.map(|s| TAU * s);
         let sine = angle.map(libm::sin);
-        let cosine: [f64; 3] =
-            std::array::from_fn(|i| if i < dimension { libm::cos(angle[i]) } else { 1.0 });
+        let cosine: [f64; 3] = std::array::from_fn(|i| {
+            if i < dimension {
+                libm::cos(angle[i])
+            } else {
+                1.0
+            }
+        });
         let others = |i: usize| -> f64 {
             let factors = (0..3).filter(|&j| j != i).map(|j| cosine[j]);
             factors.product()

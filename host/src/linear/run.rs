@@ -298,23 +298,25 @@ where
     }
 
     /// What the sums have moved by.
-    fn drift(
-        &self,
-        first: &Sample,
-        last: &Sample,
-        state: &State<'_, S, D, P>,
-    ) -> Option<Vec<f64>> {
+    fn drift(&self, first: &Sample, last: &Sample, state: &State<'_, S, D, P>) -> Option<Vec<f64>> {
         if !self.plan.is_conserving {
             return None;
         }
         let volume = self.plan.unit_of_volume();
         let size = |i: usize| {
-            let strengths = state.strength.iter().map(|q| S::rounded(q[i]).to_f64().abs());
+            let strengths = state
+                .strength
+                .iter()
+                .map(|q| S::rounded(q[i]).to_f64().abs());
             volume * compensated(strengths)
         };
         let sizes: Vec<f64> = (0..first.totals.len()).map(size).collect();
         let largest = sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let totals = first.totals.iter().zip(&last.totals);
-        Some(totals.map(|(first, last)| (last - first) / largest).collect())
+        Some(
+            totals
+                .map(|(first, last)| (last - first) / largest)
+                .collect(),
+        )
     }
 }

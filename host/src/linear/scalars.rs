@@ -129,7 +129,13 @@ impl Call<'_, '_, '_> {
             return Err(self.refused());
         };
         let law = (self.plan.cut_off, system);
-        run_with::<S, _, F, D, P>(self.plan, self.scalar.name(), law, self.engine, self.control)
+        run_with::<S, _, F, D, P>(
+            self.plan,
+            self.scalar.name(),
+            law,
+            self.engine,
+            self.control,
+        )
     }
 
     fn refused(&self) -> LinearError {

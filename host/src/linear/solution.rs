@@ -92,10 +92,7 @@ fn medium(scenario: &LinearScenario) -> Medium {
     }
 }
 
-fn pulse(
-    scenario: &LinearScenario,
-    pulse: Pulse,
-) -> Result<impl Solution + use<>, SolutionError> {
+fn pulse(scenario: &LinearScenario, pulse: Pulse) -> Result<impl Solution + use<>, SolutionError> {
     let medium = medium(scenario);
     AcousticPulseProblem { medium, pulse }.solve()
 }

@@ -1,6 +1,9 @@
 //! The cut-off: its shape and its width.
 
+use motes_core::cutoff::{CutOff as _, Named};
+
 use super::bound::{POSITIVE, THETA};
+use super::entry::Entry;
 use super::error::Fault;
 use super::problem::Problem;
 use super::section::Section;
@@ -9,26 +12,9 @@ use super::section::Section;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CutOff {
     /// The shape.
-    pub shape: CutOffShape,
+    pub shape: Named,
     /// The width.
     pub width: Width,
-}
-
-/// The shape of a cut-off.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum CutOffShape {
-    /// The cubic B-spline M4.
-    CubicSpline,
-    /// The quintic B-spline M6.
-    QuinticSpline,
-    /// Wendland's C2 function.
-    WendlandC2,
-    /// Wendland's C4 function.
-    WendlandC4,
-    /// Wendland's C6 function.
-    WendlandC6,
-    /// A polynomial in the squared distance: no root to take.
-    RootFree,
 }
 
 /// The width of a cut-off.
@@ -70,22 +56,36 @@ impl Width {
     }
 }
 
-const SHAPES: &[(&str, CutOffShape)] = &[
-    ("cubic-spline", CutOffShape::CubicSpline),
-    ("quintic-spline", CutOffShape::QuinticSpline),
-    ("wendland-c2", CutOffShape::WendlandC2),
-    ("wendland-c4", CutOffShape::WendlandC4),
-    ("wendland-c6", CutOffShape::WendlandC6),
-    ("root-free", CutOffShape::RootFree),
-];
+/// The shape of that name.
+fn shape(entry: &Entry<'_>) -> Result<Named, Fault> {
+    let place = entry.choice_of(Named::NAMES.iter().copied())?;
+    // Every name leads back to its shape.
+    Ok(Named::from_name(Named::NAMES[place]).unwrap_or(Named::CubicSpline))
+}
+
+/// That of a gas, whose density is a sum of its values: none may be negative.
+fn positive_shape(entry: &Entry<'_>) -> Result<Named, Fault> {
+    let shape = shape(entry)?;
+    if shape.order() == 2 {
+        return Ok(shape);
+    }
+    let reason = format!(
+        "it is of order {} and below 0 somewhere, and a density is a sum of its values",
+        shape.order()
+    );
+    Err(entry.does_not_fit(
+        reason,
+        "choose one of order 2 for a gas: docs/scenario.md lists them",
+    ))
+}
 
 impl CutOff {
     /// Where a gas names none: M4 in one dimension, Wendland's C2 in two and three, where
     /// particles under a spline clump in pairs.
     fn of_gas(dimension: usize) -> Self {
         let (shape, eta) = match dimension {
-            1 => (CutOffShape::CubicSpline, 1.0),
-            _ => (CutOffShape::WendlandC2, 1.3),
+            1 => (Named::CubicSpline, 1.0),
+            _ => (Named::WendlandC2, 1.3),
         };
         let width = Width::Adaptive { eta, theta: 1.0 };
         Self { shape, width }
@@ -94,7 +94,7 @@ impl CutOff {
 
 /// Of a linear system that names none: shape, eta and theta. M6 is smooth enough for
 /// `epsilon = eta h^0.75`: both errors of Theorem 1 fall with the spacing.
-const OF_LINEAR: (CutOffShape, f64, f64) = (CutOffShape::QuinticSpline, 0.7, 0.75);
+const OF_LINEAR: (Named, f64, f64) = (Named::QuinticSpline, 0.7, 0.75);
 
 /// `[cut-off]` of a gas: a shape and a width, or neither.
 pub(super) fn of_gas(root: &Section<'_>, dimension: usize) -> Result<CutOff, Fault> {
@@ -102,7 +102,7 @@ pub(super) fn of_gas(root: &Section<'_>, dimension: usize) -> Result<CutOff, Fau
         return Ok(CutOff::of_gas(dimension));
     };
     let section = &entry.section()?;
-    let shape = section.required("name")?.choice(SHAPES)?;
+    let shape = positive_shape(&section.required("name")?)?;
     let width = width(section, 1.0)?;
     let missing = || Fault::new(Problem::Width { both: false }, section.span());
     let width = width.ok_or_else(missing)?;
@@ -111,17 +111,19 @@ pub(super) fn of_gas(root: &Section<'_>, dimension: usize) -> Result<CutOff, Fau
 
 /// `[cut-off]` of a linear system: each key has a default.
 pub(super) fn of_linear(root: &Section<'_>) -> Result<CutOff, Fault> {
-    let (shape, eta, theta) = OF_LINEAR;
+    let (usual_shape, eta, theta) = OF_LINEAR;
     let usual = Width::Adaptive { eta, theta };
     let Some(entry) = root.optional("cut-off") else {
-        let width = usual;
-        return Ok(CutOff { shape, width });
+        return Ok(CutOff {
+            shape: usual_shape,
+            width: usual,
+        });
     };
     let section = &entry.section()?;
     let name = section.optional("name");
     let alone = section.optional("theta");
     Ok(CutOff {
-        shape: name.map_or(Ok(shape), |name| name.choice(SHAPES))?,
+        shape: name.map_or(Ok(usual_shape), |name| shape(&name))?,
         width: match (width(section, theta)?, alone) {
             (Some(width), _) => width,
             (None, None) => usual,

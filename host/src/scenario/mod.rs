@@ -33,7 +33,7 @@ mod tolerance;
 
 pub use any::AnyScenario;
 pub use builtin::{BUILT_IN, BuiltIn, built_in};
-pub use cut_off::{CutOff, CutOffShape, Width};
+pub use cut_off::{CutOff, Width};
 pub use error::ScenarioError;
 pub use inflow::Inflow;
 pub use keys::Family;
@@ -115,6 +115,28 @@ pub struct Extent {
     pub lower: Vec<f64>,
     /// The corner with the largest coordinates.
     pub upper: Vec<f64>,
+}
+
+impl Extent {
+    /// The product of its lengths.
+    pub fn volume(&self) -> f64 {
+        let lengths = self.lower.iter().zip(&self.upper);
+        lengths.map(|(lower, upper)| upper - lower).product()
+    }
+
+    /// The coordinate of its middle along a direction; 0 beyond its dimension.
+    pub fn middle(&self, axis: usize) -> f64 {
+        let bounds = self.lower.get(axis).zip(self.upper.get(axis));
+        bounds.map_or(0.0, |(lower, upper)| 0.5 * (lower + upper))
+    }
+
+    /// Whether a point is in it, its sides included.
+    pub fn contains(&self, point: &[f64]) -> bool {
+        let bounds = self.lower.iter().zip(&self.upper).zip(point);
+        bounds
+            .into_iter()
+            .all(|((lower, upper), x)| (lower..=upper).contains(&x))
+    }
 }
 
 /// The box that is simulated.

@@ -29,8 +29,8 @@ pub(crate) mod table;
 mod tests;
 
 pub use apportion::apportion;
-pub use table::CloudError;
 pub use error::SetupError;
+pub use table::CloudError;
 
 use crate::scenario::{Arrangement, Scenario};
 

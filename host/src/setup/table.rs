@@ -164,7 +164,11 @@ impl<'a> Table<'a> {
             let record = record.map_err(|error| broken(self.text, &error))?;
             if count == LARGEST {
                 let message = format!("more than {LARGEST} particles");
-                return Err(Fault::new(message, "give fewer particles", self.first_line()));
+                return Err(Fault::new(
+                    message,
+                    "give fewer particles",
+                    self.first_line(),
+                ));
             }
             count += 1;
             take(&Row {
@@ -176,7 +180,11 @@ impl<'a> Table<'a> {
             return Ok(());
         }
         let message = "there are no particles in the file".to_owned();
-        Err(Fault::new(message, "add a row a particle", self.first_line()))
+        Err(Fault::new(
+            message,
+            "add a row a particle",
+            self.first_line(),
+        ))
     }
 }
 

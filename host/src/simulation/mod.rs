@@ -11,6 +11,7 @@ mod scalars;
 
 pub use arrays::GasArrays;
 pub use limits::RunError;
+pub(crate) use limits::{check_memory, check_numbers};
 pub use opening::{Incoming, OpenSides, OpenZone};
 pub use outcome::{Drift, Lonely, Outcome, ParticleRow, Sample, Spread};
 pub use plan::Plan;

@@ -1,6 +1,6 @@
 //! From a scenario to a plan: solver units, and the particles in them.
 
-use motes_core::cutoff::{CutOff, Named};
+use motes_core::cutoff::CutOff;
 use motes_core::domain::{Axis, Side};
 use motes_core::equation::gas::{
     Diffusion, EnergyForm, Options, Particle, Plain, Stretch, Switch, Weights, Width,
@@ -11,7 +11,7 @@ use super::limits::check_memory;
 use super::opening::OpenSides;
 use super::plan::Plan;
 use crate::scenario::{
-    self, Arrangement, CutOffShape, EnergyRule, EquationOfState, Scenario, Share, ViscosityKind,
+    self, Arrangement, EnergyRule, EquationOfState, Scenario, Share, ViscosityKind,
 };
 use crate::setup::{self, Placed, SetupError};
 use crate::sums::compensated;
@@ -90,7 +90,7 @@ impl Plan {
             Some(stretches) => frame.of_stretches(stretches),
             None => placed.iter().map(|placed| frame.particle(placed)).collect(),
         };
-        let cut_off = named(scenario.cut_off.shape);
+        let cut_off = scenario.cut_off.shape;
         let support = f64::from(cut_off.support());
         Ok(Self {
             dimension: scenario.dimension,
@@ -340,7 +340,7 @@ fn check_reach(scenario: &Scenario, spacing: f64) -> Result<(), PlanError> {
         return Ok(());
     }
     let eta = scenario.cut_off.width.spacings(spacing);
-    let cut_off = named(scenario.cut_off.shape);
+    let cut_off = scenario.cut_off.shape;
     let support = f64::from(cut_off.support());
     let ([least, most], reach) = (REACH, eta * support);
     if (least..=most).contains(&reach) {
@@ -371,17 +371,5 @@ fn check_units(units: &SolverUnits) -> Result<(), PlanError> {
     {
         Some((unit, value)) => Err(PlanError::Extreme { unit, value }),
         None => Ok(()),
-    }
-}
-
-/// The core's cut-off of that shape.
-fn named(shape: CutOffShape) -> Named {
-    match shape {
-        CutOffShape::CubicSpline => Named::CubicSpline,
-        CutOffShape::QuinticSpline => Named::QuinticSpline,
-        CutOffShape::WendlandC2 => Named::WendlandC2,
-        CutOffShape::WendlandC4 => Named::WendlandC4,
-        CutOffShape::WendlandC6 => Named::WendlandC6,
-        CutOffShape::RootFree => Named::RootFree,
     }
 }

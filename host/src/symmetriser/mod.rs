@@ -135,6 +135,24 @@ impl Symmetriser {
             matrix: balanced.unscaled(&scaled).as_slice().to_vec(),
         })
     }
+
+    /// `λ` with `d‖u‖/dt <= λ ‖u‖` in the norm `∫ u·Pu` where the system also has the constant
+    /// `A⁰`, row by row: the largest eigenvalue of the symmetric part of `-A⁰` in the scalar
+    /// product of `P`.
+    pub fn growth(&self, reaction: &[f64]) -> f64 {
+        let size = self.matrix.len().isqrt();
+        let p = DMatrix::from_row_slice(size, size, &self.matrix);
+        let a = DMatrix::from_row_slice(size, size, reaction);
+        let Some(root) = p.clone().cholesky().map(|factors| factors.l()) else {
+            return 0.0;
+        };
+        let symmetric = -0.5 * (&p * &a + (&p * &a).transpose());
+        // L^-1 S L^-T has the eigenvalues of S in the scalar product of P = L L^T.
+        let half = root.solve_lower_triangular(&symmetric);
+        let whole = half.and_then(|half| root.solve_lower_triangular(&half.transpose()));
+        let eigenvalues = whole.map(|whole| whole.symmetric_eigenvalues());
+        eigenvalues.map_or(0.0, |eigenvalues| eigenvalues.max())
+    }
 }
 
 /// The matrices, where they are what they should be.

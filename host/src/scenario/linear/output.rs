@@ -58,6 +58,21 @@ impl Probe {
         };
         (1.0 - part) * lower + part * upper
     }
+
+    /// All points, 0 beyond the dimension; the last direction runs fastest.
+    pub fn positions(&self) -> Vec<[f64; 3]> {
+        let dimension = self.points.len();
+        let count: usize = self.points.iter().product();
+        let place = |mut number: usize| {
+            let mut position = [0.0; 3];
+            for axis in (0..dimension).rev() {
+                position[axis] = self.coordinate(axis, number % self.points[axis]);
+                number /= self.points[axis];
+            }
+            position
+        };
+        (0..count).map(place).collect()
+    }
 }
 
 /// `[output]`.

@@ -128,6 +128,39 @@ impl System {
         }
     }
 
+    /// The fastest wave that runs through what carries it; 0 for [`System::Transport`], and for
+    /// [`System::Matrices`], whose eigenvalues tell.
+    pub fn wave_speed(&self) -> f64 {
+        match self {
+            Self::Transport { .. } | Self::Matrices { .. } => 0.0,
+            Self::Acoustics { sound_speed, .. } => *sound_speed,
+            Self::Telegraph {
+                inductance,
+                capacitance,
+                ..
+            } => 1.0 / (inductance * capacitance).sqrt(),
+            Self::ShallowWater { gravity, depth, .. } => (gravity * depth).sqrt(),
+            Self::MaxwellTe {
+                permittivity,
+                permeability,
+            } => 1.0 / (permittivity * permeability).sqrt(),
+            Self::ElasticWaves {
+                density,
+                lambda,
+                mu,
+            } => ((lambda + 2.0 * mu) / density).sqrt(),
+            Self::LinearisedGas {
+                density,
+                pressure,
+                gamma,
+                velocity,
+            } => {
+                let flow = velocity.iter().map(|u| u * u).sum::<f64>().sqrt();
+                flow + (gamma * pressure / density).sqrt()
+            }
+        }
+    }
+
     /// How many components its state has.
     pub fn components(&self, dimension: usize) -> usize {
         self.names(dimension).len()

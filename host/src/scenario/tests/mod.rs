@@ -70,7 +70,7 @@ fn the_built_in_sod_tube_reads_as_published() {
         sod.materials[0].law,
         EquationOfState::IdealGas { gamma: 1.4 }
     );
-    assert_eq!(sod.cut_off.shape, CutOffShape::CubicSpline);
+    assert_eq!(sod.cut_off.shape, motes_core::cutoff::Named::CubicSpline);
     assert_eq!(
         sod.cut_off.width,
         Width::Adaptive {
@@ -124,7 +124,7 @@ fn the_usual_cut_off_is_that_of_the_dimension() {
     assert_eq!(line.viscosity, sod.viscosity);
     let text = built_in("sod2d").unwrap().text;
     let plane = File::new(without(text)).read(&[]).unwrap();
-    assert_eq!(plane.cut_off.shape, CutOffShape::WendlandC2);
+    assert_eq!(plane.cut_off.shape, motes_core::cutoff::Named::WendlandC2);
     let sod2d = Scenario::read(Source::from("sod2d"), &[]).unwrap();
     assert_eq!(plane.cut_off, sod2d.cut_off);
 }

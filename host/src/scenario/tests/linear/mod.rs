@@ -80,7 +80,10 @@ fn what_is_left_out_takes_its_default() {
     assert_eq!(scenario.motion, Field::Still);
     assert_eq!(scenario.initial, Some(Initial::ExpSine));
     assert_eq!(scenario.resolution.arrangement, Arrangement::Lattice);
-    assert_eq!(scenario.cut_off.shape, CutOffShape::QuinticSpline);
+    assert_eq!(
+        scenario.cut_off.shape,
+        motes_core::cutoff::Named::QuinticSpline
+    );
     assert_eq!(
         scenario.cut_off.width,
         Width::Adaptive {

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 use super::Failure;
-use crate::scenario::{Scenario, Source};
+use crate::scenario::{AnyScenario, Scenario, Source};
 use crate::simulation::{ScalarName, UnknownScalar};
 
 /// A deterministic particle solver for first-order systems of partial differential equations.
@@ -155,11 +155,27 @@ pub(super) fn scenario(
     particles: Option<&str>,
     overrides: &[String],
 ) -> Result<Scenario, Failure> {
+    let overrides = with_particles(particles, overrides)?;
+    Scenario::read(Source::from(name), &overrides).map_err(|error| Failure::Input(error.into()))
+}
+
+/// The same, of a gas or a linear system.
+pub(super) fn any_scenario(
+    name: &str,
+    particles: Option<&str>,
+    overrides: &[String],
+) -> Result<AnyScenario, Failure> {
+    let overrides = with_particles(particles, overrides)?;
+    AnyScenario::read(Source::from(name), &overrides).map_err(|error| Failure::Input(error.into()))
+}
+
+/// The changes of `--set`, and on top of them that of `--particles`.
+fn with_particles(particles: Option<&str>, overrides: &[String]) -> Result<Vec<String>, Failure> {
     let mut overrides = overrides.to_vec();
     if let Some(particles) = particles {
         overrides.push(format!("resolution.particles={}", whole_number(particles)?));
     }
-    Scenario::read(Source::from(name), &overrides).map_err(|error| Failure::Input(error.into()))
+    Ok(overrides)
 }
 
 /// A positive whole number, also as 1e6.

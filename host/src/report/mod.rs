@@ -1,6 +1,9 @@
 //! What a run tells people and programs.
 
+pub mod convergence;
 pub mod figure;
+mod log_axis;
+mod log_log;
 pub mod map;
 mod raster;
 pub mod results;

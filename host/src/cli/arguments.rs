@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 use super::Failure;
-use crate::comparison::FIELDS;
 use crate::scenario::{AnyScenario, Scenario, Source};
 use crate::simulation::{ScalarName, UnknownScalar};
 use crate::study::ErrorNorm;
@@ -157,6 +156,7 @@ const CONVERGE_EXAMPLES: &str = "\
 Examples:
   motes converge sound-wave                         four levels, up to its own 200 particles
   motes converge sod --ladder 225,450,900 --json    for a script
+  motes converge acoustics1d --set cut-off.name=smooth-4 --set cut-off.eta=1
   motes converge yee-vortex --levels 2 --field velocity --norm l2
 
 Files written into --out: converge.csv, converge.svg. The scenario needs an exact solution
@@ -179,11 +179,11 @@ pub(super) struct ConvergeArguments {
     /// The numbers of particles themselves, separated by commas
     #[arg(long, value_delimiter = ',', value_name = "N,N,N", conflicts_with_all = ["levels", "particles"])]
     pub ladder: Vec<String>,
-    /// The field compared: density, velocity, pressure or energy [default: the first that the
-    /// scenario holds to a tolerance]
-    #[arg(long, value_parser = FIELDS, value_name = "FIELD")]
+    /// The field compared: of a gas density, velocity, pressure or energy [default: the first that
+    /// it holds to a tolerance]; of a linear system a component, `state` or `reconstruction`
+    #[arg(long, value_name = "FIELD")]
     pub field: Option<String>,
-    /// The norm of the orders: l1, l2 or linf [default: l1 for gas]
+    /// The norm of the orders: l1, l2 or linf [default: l1 of a gas, l2 of a linear system]
     #[arg(long, value_parser = ErrorNorm::ALL.map(ErrorNorm::name), value_name = "NORM")]
     pub norm: Option<String>,
     /// The number format: f64, f32, micromath, or fixed point such as q12.19

@@ -2,13 +2,10 @@
 
 pub mod convergence;
 pub mod figure;
-<<<<<<< HEAD
 pub mod linear;
 pub mod linear_summary;
-=======
 mod log_axis;
 mod log_log;
->>>>>>> converge
 pub mod map;
 mod raster;
 pub mod results;

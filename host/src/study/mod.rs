@@ -6,6 +6,7 @@
 mod fit;
 mod gas;
 mod ladder;
+mod linear;
 #[cfg(test)]
 mod tests;
 mod theory;
@@ -13,6 +14,7 @@ mod theory;
 pub use fit::{PowerLaw, order};
 pub use gas::gas_level;
 pub use ladder::{coarsest, ladder};
+pub use linear::linear_level;
 pub use theory::Theory;
 
 /// One resolution and what came out.

@@ -69,6 +69,14 @@ impl LinearScenario {
     pub fn read(source: Source, overrides: &[String]) -> Result<Self, ScenarioError> {
         check::read(&source, overrides, check::linear)
     }
+
+    /// Whether the particles go with what they carry, so that nothing passes between them (2.2).
+    pub fn is_carried(&self) -> bool {
+        match &self.system {
+            System::Transport { velocity, .. } => *velocity == self.motion,
+            _ => false,
+        }
+    }
 }
 
 /// The scenario of a text.

@@ -128,10 +128,9 @@ fn distorted(extent: &Extent, particles: usize, amplitude: f64) -> Quadrature {
         ));
         // ∂(new s_i)/∂s_j.
         let slope = |i: usize, j: usize| {
-            let third = 3 - i - j;
             match (i < dimension, j < dimension) {
                 (true, true) if i == j => 1.0 + TAU * amplitude * cosine[i] * others(i),
-                (true, true) => -TAU * amplitude * sine[i] * sine[j] * cosine[third],
+                (true, true) => -TAU * amplitude * sine[i] * sine[j] * cosine[3 - i - j],
                 _ if i == j => 1.0,
                 _ => 0.0,
             }

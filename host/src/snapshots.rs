@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use crate::io::{Cloud, SnapshotFormat, SnapshotSeries, WriteError};
-use crate::scenario::{self, Interval, Scenario, Snapshots};
+use crate::linear;
+use crate::scenario::{self, Interval, Snapshots};
 use crate::simulation::{Look, ParticleRow};
 
 /// Writes snapshots where a scenario asks for them.
@@ -18,12 +19,17 @@ struct Writer {
 }
 
 impl SnapshotWriter {
-    /// A writer into a folder; one that writes nothing where the scenario asks for none.
+    /// A writer into a folder, of a run of that name until `end`; one that writes nothing where
+    /// no snapshots are asked for.
     ///
     /// # Errors
     /// A folder that cannot be written to.
-    pub fn new(scenario: &Scenario, folder: &Path) -> Result<Self, WriteError> {
-        let Some(Snapshots { interval, format }) = scenario.output.snapshots else {
+    pub fn new(
+        snapshots: Option<Snapshots>,
+        (name, end): (&str, f64),
+        folder: &Path,
+    ) -> Result<Self, WriteError> {
+        let Some(Snapshots { interval, format }) = snapshots else {
             return Ok(Self(None));
         };
         let format = match format {
@@ -31,41 +37,65 @@ impl SnapshotWriter {
             scenario::SnapshotFormat::Csv => SnapshotFormat::Csv,
         };
         Ok(Self(Some(Writer {
-            series: SnapshotSeries::new(folder, &scenario.name, format)?,
+            series: SnapshotSeries::new(folder, name, format)?,
             interval,
-            end: scenario.time.end,
+            end,
             passed: -1.0,
         })))
     }
 
-    /// Writes a snapshot if one is due: at the start, after every interval, and at the end.
+    /// Writes a snapshot of a gas if one is due: at the start, after every interval, and at the
+    /// end.
     ///
     /// # Errors
     /// A file that cannot be written.
     pub fn look(&mut self, look: &Look<'_>) -> Result<(), String> {
-        let Some(writer) = &mut self.0 else {
+        let Some(writer) = self.due(look.time, look.steps) else {
             return Ok(());
         };
+        let rows = (look.particles)();
+        told(add_gas(&mut writer.series, &rows, look))
+    }
+
+    /// The same of a linear system whose components have these names.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn look_linear(&mut self, look: &linear::Look<'_>, names: &[String]) -> Result<(), String> {
+        let Some(writer) = self.due(look.time, look.steps) else {
+            return Ok(());
+        };
+        let cloud = (look.cloud)();
+        told(add_linear(&mut writer.series, &cloud, names, look))
+    }
+
+    /// The writer, if a snapshot is due.
+    fn due(&mut self, time: f64, steps: u64) -> Option<&mut Writer> {
+        let writer = self.0.as_mut()?;
         // A time that is a rounding short of a multiple has reached it.
         let passed = match writer.interval {
-            Interval::Time(every) => (look.time / every + 1e-9).floor(),
-            Interval::Steps(every) => (look.steps / every as u64) as f64,
+            Interval::Time(every) => (time / every + 1e-9).floor(),
+            Interval::Steps(every) => (steps / every as u64) as f64,
         };
-        let over = look.time >= writer.end * (1.0 - 1e-9);
+        let over = time >= writer.end * (1.0 - 1e-9);
         if passed <= writer.passed && !over {
-            return Ok(());
+            return None;
         }
         writer.passed = passed;
-        let rows = (look.particles)();
-        add(&mut writer.series, &rows, look).map_err(|error| {
-            let report = miette::Report::new(error);
-            format!("{report:?}")
-        })
+        Some(writer)
     }
 }
 
-/// Adds all fields of the particles.
-fn add(
+/// The error as text, with its cure.
+fn told(result: Result<(), WriteError>) -> Result<(), String> {
+    result.map_err(|error| {
+        let report = miette::Report::new(error);
+        format!("{report:?}")
+    })
+}
+
+/// Adds all fields of the particles of a gas.
+fn add_gas(
     series: &mut SnapshotSeries,
     rows: &[ParticleRow],
     look: &Look<'_>,
@@ -95,6 +125,33 @@ fn add(
             (
                 "material",
                 rows.iter().map(|p| u32::from(p.material)).collect(),
+            ),
+        ],
+        time: look.time,
+    };
+    series.add(&cloud, look.steps)
+}
+
+/// Adds weights and components of the particles of a linear system.
+fn add_linear(
+    series: &mut SnapshotSeries,
+    cloud: &linear::Cloud,
+    names: &[String],
+    look: &linear::Look<'_>,
+) -> Result<(), WriteError> {
+    let mut scalars = vec![("weight", cloud.weights.clone())];
+    for (component, name) in names.iter().enumerate() {
+        scalars.push((name, cloud.component(component)));
+    }
+    let cloud = Cloud {
+        positions: &cloud.positions,
+        scalars: &scalars,
+        vectors: &[],
+        integers: &[
+            ("id", (0..cloud.len() as u32).collect()),
+            (
+                "neighbours",
+                cloud.neighbours.iter().map(|&n| n as u32).collect(),
             ),
         ],
         time: look.time,

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 use super::Failure;
-use crate::scenario::{AnyScenario, Scenario, Source};
+use crate::scenario::{AnyScenario, Source};
 use crate::simulation::{ScalarName, UnknownScalar};
 
 /// A deterministic particle solver for first-order systems of partial differential equations.
@@ -149,33 +149,23 @@ pub(super) struct BenchArguments {
     pub json: bool,
 }
 
-/// The gas scenario of that name or file, with its changes.
-pub(super) fn scenario(
-    name: &str,
-    particles: Option<&str>,
-    overrides: &[String],
-) -> Result<Scenario, Failure> {
-    let changes = changes(particles, overrides)?;
-    Scenario::read(Source::from(name), &changes).map_err(|error| Failure::Input(error.into()))
-}
-
-/// The scenario of that name or file, of either family, with its changes.
+/// The scenario of that name or file, a gas or a linear system, with its changes.
 pub(super) fn any_scenario(
     name: &str,
     particles: Option<&str>,
     overrides: &[String],
 ) -> Result<AnyScenario, Failure> {
-    let changes = changes(particles, overrides)?;
-    AnyScenario::read(Source::from(name), &changes).map_err(|error| Failure::Input(error.into()))
+    let overrides = with_particles(particles, overrides)?;
+    AnyScenario::read(Source::from(name), &overrides).map_err(|error| Failure::Input(error.into()))
 }
 
-/// What `--set` and `-n` change.
-fn changes(particles: Option<&str>, overrides: &[String]) -> Result<Vec<String>, Failure> {
-    let mut changes = overrides.to_vec();
+/// The changes of `--set`, and on top of them that of `--particles`.
+fn with_particles(particles: Option<&str>, overrides: &[String]) -> Result<Vec<String>, Failure> {
+    let mut overrides = overrides.to_vec();
     if let Some(particles) = particles {
-        changes.push(format!("resolution.particles={}", whole_number(particles)?));
+        overrides.push(format!("resolution.particles={}", whole_number(particles)?));
     }
-    Ok(changes)
+    Ok(overrides)
 }
 
 /// A positive whole number, also as 1e6.

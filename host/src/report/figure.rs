@@ -62,7 +62,7 @@ pub enum FigureError {
     Drawing(#[from] DrawingAreaErrorKind<std::io::Error>),
 }
 
-const MOST_PANELS: usize = 6;
+pub(super) const MOST_PANELS: usize = 6;
 
 /// Canvas units per pixel of the picture: the drawing library rounds to whole
 /// units, and lines of whole pixels would show steps.

@@ -29,7 +29,7 @@ pub struct Map {
     pub upper: [f64; 2],
 }
 
-const MOST_MAPS: usize = 4;
+pub(super) const MOST_MAPS: usize = 4;
 
 /// Colours: so many that the eye sees no steps, so few that neighbours often share one.
 const COLOURS: usize = 64;

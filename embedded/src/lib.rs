@@ -7,5 +7,6 @@ pub mod console;
 pub mod gas;
 pub mod linear;
 mod panic;
+pub mod stopwatch;
 pub mod telegraph;
 pub mod tube;

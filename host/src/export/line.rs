@@ -11,13 +11,11 @@ use crate::scenario::linear::System;
 
 /// A linear scenario that a device cannot be given as a line.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
-#[error(
-    "`{name}` is {system} in dimension {dimension}, which `motes export` does not write: need \
-     acoustics or telegraph in dimension 1"
-)]
+#[error("`motes export` does not write `{name}`: it is {system} in dimension {dimension}")]
 #[diagnostic(help(
-    "export a scenario with dimension = 1 and system.kind = \"acoustics\" or \"telegraph\"; for \
-     another one make its LinearDynamics by hand, as motes_core::equation::linear::Line does"
+    "it writes gas tubes, and acoustics and telegraph in dimension 1; a device can run another \
+     system, but its LinearDynamics must be made by hand as that of \
+     motes_core::equation::linear::Line is"
 ))]
 pub struct NoLine {
     name: String,

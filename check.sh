@@ -6,7 +6,8 @@
 #   ./check.sh lint       clippy and docs, warnings are errors
 #   ./check.sh test       the tests of the workspace
 #   ./check.sh devices    core on every device target; the firmware under QEMU, its digests
-#                         against tests/golden.csv
+#                         against tests/golden.csv, its instructions against
+#                         embedded/instructions.csv
 #   ./check.sh speed      lanes against the plain loop: the compiler still makes vectors of them
 set -euo pipefail
 cd "$(dirname "$0")"
@@ -55,14 +56,34 @@ devices() {
   say "firmware: links only if no panic can be reached"
   (cd embedded && cargo clippy --release -- -D warnings && cargo build --release)
   say "firmware under QEMU"
-  local elf=embedded/target/thumbv7em-none-eabihf/release/motes-firmware output
-  output=$(timeout 300 qemu-system-arm -M mps2-an386 -nographic \
-    -semihosting-config enable=on,target=native -kernel "$elf")
+  local output
+  output=$(emulate motes-firmware)
   printf '%s\n' "$output"
-  # The first word of a line is a row of the table; all rows of that size must be there.
-  diff <(grep ',225,' tests/golden.csv | sort) <(cut -d' ' -f1 <<<"$output" | sort) ||
+  # The first word of a line is a row of the table; all rows of these sizes must be there.
+  diff <(grep -E ',(225|64),' tests/golden.csv | sort) <(cut -d' ' -f1 <<<"$output" | sort) ||
     fail "the device's digests (>) are not those of tests/golden.csv (<)"
   echo "the device has the digests of the host"
+  say "instructions of a step under QEMU"
+  output=$(emulate instructions -icount shift=6)
+  printf '%s\n' "$output"
+  # Another compiler may need a few more; a tenth more is a change for the worse.
+  awk -F, '
+    { key = $1 "," $2 "," $3 "," $4 }
+    FNR == NR { longest[key] = $6; next }
+    !(key in longest) || !($6 <= 1.1 * longest[key]) { print "too many: " $0; bad = 1 }
+    { delete longest[key] }
+    END { for (key in longest) { print "missing: " key; bad = 1 } exit bad }
+  ' <(tail -n +2 embedded/instructions.csv) - <<<"$output" ||
+    fail "a step takes over 10 % more instructions than in embedded/instructions.csv"
+  echo "no step takes over 10 % more instructions than before"
+}
+
+# Runs a program of embedded/ under QEMU.
+emulate() {
+  local elf=embedded/target/thumbv7em-none-eabihf/release/$1
+  shift
+  timeout 300 qemu-system-arm -M mps2-an386 -nographic \
+    -semihosting-config enable=on,target=native "$@" -kernel "$elf"
 }
 
 speed() {

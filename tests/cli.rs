@@ -384,6 +384,64 @@ fn an_export_carries_the_whole_scheme() {
     assert!(export(&["--set", "viscosity.kind=none"]).contains("Viscosity::Inviscid"));
 }
 
+#[test]
+fn an_export_of_a_line_carries_its_equations_motion_and_method() {
+    let folder = tempfile::tempdir().unwrap();
+    let export = |name: &str, more: &[&str]| {
+        stdout(
+            folder.path(),
+            &[&["export", name, "-n", "64"], more].concat(),
+        )
+    };
+    let sound = export("acoustics1d", &["--set", "time.method=ssp-rk3"]);
+    for part in [
+        "pub const PARTICLES: usize = 64;",
+        "pub const CELLS: usize = 385;",
+        "pub const METHOD: RungeKutta = SSP_RK3;",
+        "Acoustics::new(1.0, 1.0, units)",
+        "amplitude: S::from_f64(0.2),",
+        "sides: [Side::Periodic, Side::Periodic],",
+        "step: None,",
+    ] {
+        assert!(sound.contains(part), "{part}\n{sound}");
+    }
+    assert_eq!(sound.matches("Particle { ").count(), 64, "{sound}");
+    let line = export(
+        "telegraph",
+        &[
+            "--set",
+            "motion.kind=still",
+            "--set",
+            "cut-off.name=wendland-c4",
+            "--set",
+            "time.step=0.001",
+        ],
+    );
+    for part in [
+        "let (conductance, resistance) = (0.25, 1.0);",
+        "pub fn motion<S: Scalar>() -> Still {",
+        "CutOff::WendlandC4",
+        "step: Some(0.064),",
+    ] {
+        assert!(line.contains(part), "{part}\n{line}");
+    }
+}
+
+#[test]
+fn an_export_that_is_no_line_says_what_is() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["acoustics2d", "maxwell-te", "transport-mesh"] {
+        let errors = failure(folder.path(), &["export", name], 2);
+        let errors: Vec<&str> = errors.split_whitespace().collect();
+        let errors = errors.join(" ");
+        assert!(
+            errors.contains(&format!("does not write `{name}`"))
+                && errors.contains("acoustics and telegraph in dimension 1"),
+            "{errors}"
+        );
+    }
+}
+
 /// Ctrl-C in mid-run: finished files of an earlier run stay whole, nothing new is left.
 #[cfg(unix)]
 #[test]

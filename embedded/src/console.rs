@@ -1,7 +1,9 @@
 //! Text to the host through semihosting, without `core::fmt`: formatting code would be most of
 //! the program, and may panic.
 
+use cortex_m_semihosting::debug;
 use cortex_m_semihosting::hio::{self, HostStream};
+use motes_core::error::Error;
 
 /// The host's standard output.
 pub struct Console(Option<HostStream>);
@@ -40,6 +42,39 @@ impl Console {
         while power > 0 {
             self.character(b'0' + (value / power % 10) as u8);
             power /= 10;
+        }
+    }
+
+    /// Writes the names that a line of the table starts with.
+    pub fn row(&mut self, scenario: &str, particles: usize, scalar: &str) {
+        self.text(scenario);
+        self.text(",");
+        self.decimal(particles as u64);
+        self.text(",");
+        self.text(scalar);
+        self.text(",");
+    }
+
+    /// Writes the digest that a line of the table ends with.
+    pub fn outcome(&mut self, outcome: &Result<u64, Error>) {
+        match outcome {
+            Ok(digest) => {
+                self.hexadecimal(*digest);
+                self.text("\n");
+            }
+            Err(_) => self.text("failed\n"),
+        }
+    }
+
+    /// Ends the program: QEMU's exit code is 0 only if all went well.
+    pub fn close(self, ok: bool) -> ! {
+        debug::exit(if ok {
+            debug::EXIT_SUCCESS
+        } else {
+            debug::EXIT_FAILURE
+        });
+        loop {
+            cortex_m::asm::wfi();
         }
     }
 

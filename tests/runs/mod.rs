@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use motes::comparison::{ExactSolution, Norms, norms};
 use motes::engine::Threads;
-use motes::scenario::{Scenario, Source};
+use motes::scenario::{AnyScenario, Scenario, Source};
 use motes::simulation::{self, Control, Outcome, Plan, RunError};
 
 /// What a test wants of a run.
@@ -22,10 +22,18 @@ impl Run {
     }
 }
 
-/// The scenario with these changes.
+/// The gas scenario with these changes.
 pub fn scenario(name: &str, changes: &[&str]) -> Scenario {
+    match any_scenario(name, changes) {
+        AnyScenario::Gas(scenario) => *scenario,
+        AnyScenario::Linear(_) => panic!("{name} is a linear system"),
+    }
+}
+
+/// The scenario of either family with these changes.
+pub fn any_scenario(name: &str, changes: &[&str]) -> AnyScenario {
     let changes: Vec<String> = changes.iter().map(|change| (*change).to_owned()).collect();
-    Scenario::read(Source::BuiltIn(name.to_owned()), &changes).unwrap()
+    AnyScenario::read(Source::BuiltIn(name.to_owned()), &changes).unwrap()
 }
 
 /// Runs a built-in scenario with these changes, one scalar and a number of threads.

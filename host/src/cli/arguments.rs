@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 use super::Failure;
-use crate::scenario::{AnyScenario, Scenario, Source};
+use crate::scenario::{AnyScenario, Source};
 use crate::simulation::{ScalarName, UnknownScalar};
 use crate::study::ErrorNorm;
 
@@ -152,6 +152,7 @@ pub(super) struct BenchArguments {
     pub json: bool,
 }
 
+<<<<<<< HEAD
 const CONVERGE_EXAMPLES: &str = "\
 Examples:
   motes converge sound-wave                         four levels, up to its own 200 particles
@@ -214,6 +215,9 @@ pub(super) fn scenario(
 }
 
 /// The same, of a gas or a linear system.
+=======
+/// The scenario of that name or file, a gas or a linear system, with its changes.
+>>>>>>> device
 pub(super) fn any_scenario(
     name: &str,
     particles: Option<&str>,

@@ -149,6 +149,11 @@ impl Plan {
         self.units.length.powi(self.dimension as i32)
     }
 
+    /// What the particles follow, in solver units.
+    pub fn motion<S: Scalar, const D: usize>(&self) -> NamedField<S, D> {
+        self.field.named()
+    }
+
     /// The domain, in the scalar and dimension of the run.
     pub(super) fn domain<S: Scalar, const D: usize>(&self) -> Domain<S, D> {
         Domain {

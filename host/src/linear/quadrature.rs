@@ -137,14 +137,11 @@ fn distorted(extent: &Extent, particles: usize, amplitude: f64) -> Quadrature {
             std::array::from_fn(|i| s[i] + amplitude * sine[i] * others(i)),
         ));
         // ∂(new s_i)/∂s_j.
-        let slope = |i: usize, j: usize| {
-            let third = 3 - i - j;
-            match (i < dimension, j < dimension) {
-                (true, true) if i == j => 1.0 + TAU * amplitude * cosine[i] * others(i),
-                (true, true) => -TAU * amplitude * sine[i] * sine[j] * cosine[third],
-                _ if i == j => 1.0,
-                _ => 0.0,
-            }
+        let slope = |i: usize, j: usize| match (i < dimension, j < dimension) {
+            (true, true) if i == j => 1.0 + TAU * amplitude * cosine[i] * others(i),
+            (true, true) => -TAU * amplitude * sine[i] * sine[j] * cosine[3 - i - j],
+            _ if i == j => 1.0,
+            _ => 0.0,
         };
         let minor = |j: usize| {
             let [a, b] = [[1, 2], [0, 2], [0, 1]][j];

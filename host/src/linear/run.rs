@@ -70,7 +70,7 @@ where
             plan.domain(),
             width,
             system,
-            plan.field.named(),
+            plan.motion(),
             S::from_f64(plan.courant),
         ),
         clock: Clock::new(S::from_f64(plan.end)),

@@ -8,6 +8,7 @@
 mod dynamics;
 mod field;
 mod law;
+mod line;
 mod rates;
 mod reconstruction;
 mod state;
@@ -20,6 +21,7 @@ pub use field::{
     Compression, Named as NamedField, Rotation, Shear, Still, Uniform, VelocityField, Wave,
 };
 pub use law::{SystemNode, SystemSums};
+pub use line::Line;
 pub use state::{Particle, State};
 pub use storage::{LinearStorage, LinearWorkspace, Register, Start};
 pub use system::{FirstOrderSystem, Nothing, Place};

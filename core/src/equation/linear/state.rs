@@ -14,6 +14,17 @@ pub struct Particle<S, const D: usize, const P: usize> {
     pub value: [S; P],
 }
 
+impl<const D: usize, const P: usize> Particle<f64, D, P> {
+    /// The particle in another scalar: every number rounded once.
+    pub fn rounded<S: Scalar>(&self) -> Particle<S, D, P> {
+        Particle {
+            position: self.position.map(S::from_f64),
+            weight: S::from_f64(self.weight),
+            value: self.value.map(S::from_f64),
+        }
+    }
+}
+
 /// The state, the measure `Σ_k q_k δ(x - x_k)` of (1.11): one array a quantity, all of the same
 /// length, indexed by particle id.
 ///

@@ -1,10 +1,11 @@
-//! A scenario as Rust source for a device: the first state in solver units, and the exact
-//! density to compare with.
+//! A tube of gas as Rust source: the first state in solver units, and the exact density to compare
+//! with.
 
 use std::fmt::Write;
 
 use motes_core::equation::gas::Width;
 
+use super::one_line;
 use crate::comparison::ExactSolution;
 use crate::scenario::{Extent, Scenario, Viscosity, ViscosityKind};
 use crate::simulation::Plan;
@@ -83,7 +84,7 @@ pub const TUBE: Tube<'static> = Tube {{
         name = scenario.name,
         cells = motes_core::neighbours::cell_bound(particles as u32) + 1,
         cut_off = plan.cut_off,
-        command = command.split_whitespace().collect::<Vec<_>>().join(" "),
+        command = one_line(command),
         half = tube.half_length,
         low = tube.sides[0],
         high = tube.sides[1],

@@ -1,0 +1,12 @@
+//! What the firmwares of a Cortex-M4F share: scenarios, made by `motes export`, and how they are
+//! run in static memory and reported.
+#![no_std]
+
+pub mod acoustics;
+pub mod console;
+pub mod gas;
+pub mod linear;
+mod panic;
+pub mod stopwatch;
+pub mod telegraph;
+pub mod tube;

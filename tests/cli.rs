@@ -268,8 +268,13 @@ fn bad_input_is_answered_with_the_value_and_the_cure() {
     std::fs::write(folder.path().join("file"), "").unwrap();
     let typo = "name = \"x\"\ndimension = 1\n[domain]\nlower = [-1.0]\nuper = [1.0]\n";
     std::fs::write(folder.path().join("typo.toml"), typo).unwrap();
-    for (arguments, parts) in BAD_INPUT {
-        let errors = failure(folder.path(), arguments, 2);
+    answers(folder.path(), BAD_INPUT);
+}
+
+/// Every call fails with code 2 and says its parts.
+fn answers(folder: &Path, calls: &[(&[&str], &[&str])]) {
+    for (arguments, parts) in calls {
+        let errors = failure(folder, arguments, 2);
         // Messages are wrapped to the terminal: compare without line ends.
         let flat: String = errors.split_whitespace().collect::<Vec<_>>().join(" ");
         for part in *parts {
@@ -471,4 +476,181 @@ fn help_has_examples_and_the_version_is_told() {
     let folder = tempfile::tempdir().unwrap();
     assert!(stdout(folder.path(), &["run", "--help"]).contains("Examples:"));
     assert!(stdout(folder.path(), &["--version"]).starts_with("motes 0."));
+}
+
+/// As [`BAD_INPUT`].
+const BAD_STUDIES: &[(&[&str], &[&str])] = &[
+    (
+        &["converge", "sod", "--ladder", "100"],
+        &["at least 2", "--levels 3"],
+    ),
+    (&["converge", "sod", "--levels", "1"], &["at least 2"]),
+    (
+        &["converge", "sod", "--levels", "99"],
+        &["99", "fewer --levels"],
+    ),
+    (
+        &["converge", "sod", "--levels", "28"],
+        &["2147483648", "fewer particles"],
+    ),
+    (
+        &["converge", "sod", "--ladder", "100,nine"],
+        &["--ladder nine", "whole number"],
+    ),
+    (
+        &["converge", "sod", "--ladder", "100,50,1e2"],
+        &["100 twice", "once"],
+    ),
+    (
+        &["converge", "sod", "--ladder", "50,100", "-n", "50"],
+        &["--ladder", "cannot be used with"],
+    ),
+    (
+        &["converge", "sod", "--ladder", "4,100"],
+        &["level of 4 particles", "region 1", "more particles"],
+    ),
+    (
+        &["converge", "sod", "--field", "mass"],
+        &["mass", "pressure"],
+    ),
+    (&["converge", "sod", "--norm", "l3"], &["l3", "linf"]),
+    (&["converge", "sod", "--scalar", "q3.4"], &["q3.4", "f32"]),
+    (
+        &["converge", "square", "--levels", "2"],
+        &["no exact solution", "output", "sound-wave"],
+    ),
+    (
+        &["converge", "sod", "--out", "file/below"],
+        &["cannot write", "--out"],
+    ),
+];
+
+#[test]
+fn converge_answers_bad_input_with_the_value_and_the_cure() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("file"), "").unwrap();
+    answers(folder.path(), BAD_STUDIES);
+}
+
+#[test]
+fn converge_prints_one_object_with_the_documented_keys_and_leaves_table_and_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let converge = |more: &[&str]| -> Value {
+        let arguments = [&["converge", "sound-wave", "--json"], more].concat();
+        let text = stdout(folder.path(), &arguments);
+        assert_eq!(text.lines().count(), 1);
+        serde_json::from_str(&text).unwrap()
+    };
+    let json = converge(&["--ladder", "50,25,100"]);
+    assert_eq!(json["scenario"], "sound-wave");
+    // The field that the scenario holds to a bound, in the norm for gas.
+    assert_eq!(
+        (&json["field"], &json["norm"]),
+        (&"velocity".into(), &"l1".into())
+    );
+    let levels = json["levels"].as_array().unwrap();
+    assert_eq!(levels.len(), 3);
+    for (level, n) in levels.iter().zip([25.0, 50.0, 100.0]) {
+        let number = |key: &str| level[key].as_f64().unwrap();
+        assert_eq!(number("n"), n);
+        assert!((number("h") * n - 1.0).abs() < 1e-12);
+        assert!((number("eps") / number("h") - 1.2).abs() < 1e-3);
+        assert!(0.0 < number("l1") && number("l1") < number("l2"));
+        assert!(number("l2") < number("linf"));
+    }
+    // Second order in the spacing: the dispersion of leap-frog and the sums.
+    let order = json["observed_order"].as_f64().unwrap();
+    assert!((1.85..2.05).contains(&order), "{order}");
+    assert!(json["predicted_order"].is_null() && json["guaranteed_order"].is_null());
+    assert_eq!(json["orders"].as_array().unwrap().len(), 2);
+    assert_eq!(json["warnings"].as_array().unwrap().len(), 0);
+
+    let out = folder.path().join("out/converge-sound-wave");
+    let mut table = csv::Reader::from_path(out.join("converge.csv")).unwrap();
+    let heading = table
+        .headers()
+        .unwrap()
+        .iter()
+        .collect::<Vec<_>>()
+        .join(" ");
+    assert_eq!(heading, "n h eps l1 l2 linf order");
+    let rows: Vec<_> = table.records().map(Result::unwrap).collect();
+    assert_eq!((rows.len(), &rows[0][6]), (3, ""));
+    assert_eq!(rows[2][3].parse().ok(), levels[2]["l1"].as_f64());
+    let picture = std::fs::read_to_string(out.join("converge.svg")).unwrap();
+    assert!(picture.starts_with("<svg") && picture.trim_end().ends_with("</svg>"));
+    assert_eq!(std::fs::read_dir(&out).unwrap().count(), 2);
+
+    // A level is the run of that name.
+    let run = stdout(folder.path(), &["run", "sound-wave", "-n", "50", "--json"]);
+    let run: Value = serde_json::from_str(&run).unwrap();
+    assert_eq!(run["errors"]["velocity"]["linf"], levels[1]["linf"]);
+
+    // Two levels from a number on; the density has an error that does not fall.
+    let json = converge(&[
+        "--levels", "2", "-n", "25", "--field", "density", "--norm", "l2",
+    ]);
+    assert_eq!(json["levels"][1]["n"], 50);
+    let warnings = json["warnings"].as_array().unwrap();
+    let says = |part: &str| {
+        warnings
+            .iter()
+            .any(|text| text.as_str().unwrap().contains(part))
+    };
+    assert!(
+        says("from 2 levels") && says("stopped falling"),
+        "{warnings:?}"
+    );
+}
+
+#[test]
+fn converge_prints_a_table_and_says_that_no_theorem_applies() {
+    let folder = tempfile::tempdir().unwrap();
+    let arguments = ["converge", "sod", "--ladder", "112,225", "--out", "study"];
+    let text = stdout(folder.path(), &arguments);
+    for part in [
+        "L1 order",
+        "112",
+        "225",
+        "observed",
+        "no theorem",
+        "warning",
+        "study",
+    ] {
+        assert!(text.contains(part), "no {part:?} in {text}");
+    }
+    assert!(folder.path().join("study/converge.csv").exists());
+    // Doubts of all levels are told once, those of one with its number.
+    let arguments = [
+        "converge",
+        "sod",
+        "--ladder",
+        "112,225",
+        "--set",
+        "time.end=1.0",
+    ];
+    let text = stdout(folder.path(), &arguments);
+    assert_eq!(text.matches("reached the ends").count(), 1, "{text}");
+}
+
+/// Ctrl-C in a study: as in a run.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_ends_converge_and_nothing_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut study = Command::new(env!("CARGO_BIN_EXE_motes"))
+        .current_dir(folder.path())
+        .args(["converge", "sod", "--ladder", "20000,40000"])
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    let interrupt = Command::new("kill")
+        .args(["-INT", &study.id().to_string()])
+        .status()
+        .unwrap();
+    assert!(interrupt.success());
+    assert_eq!(study.wait().unwrap().code(), Some(130));
+    let out = folder.path().join("out/converge-sod");
+    assert_eq!(std::fs::read_dir(out).unwrap().count(), 0);
 }

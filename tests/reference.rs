@@ -90,6 +90,10 @@ fn coefficient(cut_off: Named) -> f64 {
         Named::WendlandC2 | Named::RootFree => 2.0,
         Named::WendlandC4 => 6.0,
         Named::WendlandC6 => 16.0,
+        Named::SmoothTwo => 2.0,
+        Named::QuinticSplineFour | Named::SmoothFour | Named::SmoothSix => {
+            panic!("{cut_off:?} is below 0 somewhere: no gas has it")
+        }
     }
 }
 

@@ -46,13 +46,13 @@ fn wendland(n: i32, p: &[f64], q: f64) -> (f64, f64) {
 pub fn support(cut_off: Named) -> f64 {
     match cut_off {
         Named::RootFree => 1.0,
-        Named::QuinticSpline => 3.0,
+        Named::QuinticSpline | Named::SmoothTwo => 3.0,
         _ => 2.0,
     }
 }
 
 /// `σ z(q)` and `σ z'(q)`: M4 and M6 as in Monaghan & Lattanzio (1985) and Morris (1996),
-/// Wendland's as in Dehnen & Aly (2012) for a support of 2, and `(1-q²)^4`.
+/// Wendland's as in Dehnen & Aly (2012) for a support of 2, `(1-q²)^4` and `(1-q²/9)^7`.
 pub fn shape<const D: usize>(cut_off: Named, q: f64) -> (f64, f64) {
     if q >= support(cut_off) {
         return (0.0, 0.0);
@@ -99,6 +99,21 @@ pub fn shape<const D: usize>(cut_off: Named, q: f64) -> (f64, f64) {
             let t = 1.0 - q * q;
             (t.powi(4), -8.0 * q * t.powi(3))
         }),
+        // 1/σ is 3^D times the integral of (1-q²)^7 over the unit ball.
+        Named::SmoothTwo => (
+            [
+                6435.0 / 12288.0,
+                8.0 / (9.0 * PI),
+                11_486_475.0 / (23_224_320.0 * PI),
+            ],
+            {
+                let t = 1.0 - q * q / 9.0;
+                (t.powi(7), -14.0 / 9.0 * q * t.powi(6))
+            },
+        ),
+        Named::QuinticSplineFour | Named::SmoothFour | Named::SmoothSix => {
+            panic!("{cut_off:?} is below 0 somewhere: no gas has it")
+        }
     };
     (sigma[D - 1] * value, sigma[D - 1] * slope)
 }

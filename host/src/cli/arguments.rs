@@ -7,6 +7,7 @@ use clap::{Args, Parser, Subcommand};
 use super::Failure;
 use crate::scenario::{AnyScenario, Source};
 use crate::simulation::{ScalarName, UnknownScalar};
+use crate::study::ErrorNorm;
 
 /// A deterministic particle solver for first-order systems of partial differential equations.
 #[derive(Parser)]
@@ -29,6 +30,8 @@ pub(super) enum Command {
     },
     /// Run the test suite against its exact solutions and write a report
     Suite(SuiteArguments),
+    /// Run a scenario at several resolutions and tell the order of its error
+    Converge(ConvergeArguments),
     /// Print a scenario as Rust source for a device
     Export(ExportArguments),
     /// Measure speed: gas dynamics in a jittered periodic box, particle updates a second
@@ -149,6 +152,57 @@ pub(super) struct BenchArguments {
     pub json: bool,
 }
 
+const CONVERGE_EXAMPLES: &str = "\
+Examples:
+  motes converge sound-wave                         four levels, up to its own 200 particles
+  motes converge sod --ladder 225,450,900 --json    for a script
+  motes converge acoustics1d --set cut-off.name=smooth-4 --set cut-off.eta=1
+  motes converge yee-vortex --levels 2 --field velocity --norm l2
+
+Files written into --out: converge.csv, converge.svg. The scenario needs an exact solution
+(output.exact). Exit codes: 0 done, 1 a run failed, 2 the input cannot be used, 130
+interrupted.";
+
+#[derive(Args)]
+#[command(after_help = CONVERGE_EXAMPLES)]
+pub(super) struct ConvergeArguments {
+    /// A built-in scenario, or a file that ends in .toml
+    #[arg(value_name = "NAME|FILE.toml")]
+    pub scenario: String,
+    /// Number of levels; from each to the next the spacing halves
+    #[arg(long, default_value_t = 4, value_name = "K")]
+    pub levels: u32,
+    /// Number of particles of the coarsest level [default: such that the finest is the
+    /// scenario's own]
+    #[arg(short = 'n', long, value_name = "N")]
+    pub particles: Option<String>,
+    /// The numbers of particles themselves, separated by commas
+    #[arg(long, value_delimiter = ',', value_name = "N,N,N", conflicts_with_all = ["levels", "particles"])]
+    pub ladder: Vec<String>,
+    /// The field compared: of a gas density, velocity, pressure or energy [default: the first that
+    /// it holds to a tolerance]; of a linear system a component, `state` or `reconstruction`
+    #[arg(long, value_name = "FIELD")]
+    pub field: Option<String>,
+    /// The norm of the orders: l1, l2 or linf [default: l1 of a gas, l2 of a linear system]
+    #[arg(long, value_parser = ErrorNorm::ALL.map(ErrorNorm::name), value_name = "NORM")]
+    pub norm: Option<String>,
+    /// The number format: f64, f32, micromath, or fixed point such as q12.19
+    #[arg(long, default_value = "f64", value_name = "SCALAR")]
+    pub scalar: String,
+    /// Number of threads; 0 for all cores. The results do not depend on it
+    #[arg(long, default_value_t = 0, value_name = "N")]
+    pub threads: usize,
+    /// Folder for the results [default: out/converge-<name>]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Change a value of the scenario; may be given several times
+    #[arg(long = "set", value_name = "SECTION.KEY=VALUE")]
+    pub overrides: Vec<String>,
+    /// Print one JSON object on standard output, and nothing else
+    #[arg(long)]
+    pub json: bool,
+}
+
 /// The scenario of that name or file, a gas or a linear system, with its changes.
 pub(super) fn any_scenario(
     name: &str,
@@ -163,13 +217,16 @@ pub(super) fn any_scenario(
 fn with_particles(particles: Option<&str>, overrides: &[String]) -> Result<Vec<String>, Failure> {
     let mut overrides = overrides.to_vec();
     if let Some(particles) = particles {
-        overrides.push(format!("resolution.particles={}", whole_number(particles)?));
+        overrides.push(format!(
+            "resolution.particles={}",
+            whole_number("--particles", particles)?
+        ));
     }
     Ok(overrides)
 }
 
-/// A positive whole number, also as 1e6.
-fn whole_number(text: &str) -> Result<u64, Failure> {
+/// A positive whole number, also as 1e6, that stands behind a flag.
+pub(super) fn whole_number(flag: &str, text: &str) -> Result<u64, Failure> {
     let exact = text.parse::<u64>().ok();
     let scientific = || {
         text.parse::<f64>()
@@ -180,7 +237,7 @@ fn whole_number(text: &str) -> Result<u64, Failure> {
         Some(number) if number > 0 => Ok(number),
         _ => Err(Failure::Input(miette::miette!(
             help = "give a whole number above 0, such as -n 900 or -n 1e6",
-            "--particles {text} is not a number of particles"
+            "{flag} {text} is not a number of particles"
         ))),
     }
 }

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod bench;
+mod converge;
 mod export;
 mod run;
 mod suite;
@@ -34,6 +35,7 @@ pub fn main() -> ExitCode {
         Command::Show { name } => show(&name),
         Command::Export(arguments) => export::export(&arguments),
         Command::Suite(arguments) => suite::suite(&arguments),
+        Command::Converge(arguments) => converge::converge(&arguments),
         Command::Bench(arguments) => bench::bench(&arguments),
     };
     let (report, code) = match result {

@@ -36,16 +36,26 @@ pub enum QuadratureError {
 }
 
 impl Quadrature {
+    /// Refuses more particles than ids can count.
+    ///
+    /// # Errors
+    /// That.
+    pub fn check_size(scenario: &LinearScenario) -> Result<(), QuadratureError> {
+        let particles = scenario.resolution.particles;
+        match particles <= LARGEST {
+            true => Ok(()),
+            false => Err(QuadratureError::TooMany { particles }),
+        }
+    }
+
     /// The particles of a scenario at t = 0.
     ///
     /// # Errors
     /// More than ids can count, or a file that cannot be used.
     pub fn of(scenario: &LinearScenario) -> Result<Self, QuadratureError> {
+        Self::check_size(scenario)?;
         let extent = &scenario.domain.extent;
         let particles = scenario.resolution.particles;
-        if particles > LARGEST {
-            return Err(QuadratureError::TooMany { particles });
-        }
         Ok(match &scenario.resolution.arrangement {
             Arrangement::Lattice => lattice(extent, particles),
             Arrangement::Distorted { amplitude } => distorted(extent, particles, *amplitude),

@@ -2,6 +2,7 @@
 
 #[cfg(all(feature = "every-scalar", not(test)))]
 use fixed::types::extra::{U12, U16, U18, U19, U20, U22, U32, U40, U48};
+use motes_core::cutoff::{CutOff, Named, QuinticSpline, Smooth};
 use motes_core::equation::linear::FirstOrderSystem;
 #[cfg(all(feature = "every-scalar", not(test)))]
 use motes_core::scalar::{Checked, Micro, Q32, Q64};
@@ -80,15 +81,15 @@ macro_rules! in_components {
 impl Call<'_, '_, '_> {
     fn in_floats<S: HostScalar>(self) -> Result<Outcome, LinearError> {
         match (&self.plan.system, self.plan.dimension) {
-            (System::Transport { .. }, 2) => self.with::<S, _, 2, 1>(Plan::transport),
+            (System::Transport { .. }, 2) => self.fast::<S, _, 2, 1>(Plan::transport),
             (System::Transport { .. }, 3) => self.with::<S, _, 3, 1>(Plan::transport),
-            (System::Acoustics { .. }, 2) => self.with::<S, _, 2, 3>(Plan::acoustics),
+            (System::Acoustics { .. }, 2) => self.fast::<S, _, 2, 3>(Plan::acoustics),
             (System::Acoustics { .. }, 3) => self.with::<S, _, 3, 4>(Plan::acoustics),
-            (System::ShallowWater { .. }, _) => self.with::<S, _, 2, 3>(Plan::shallow_water),
-            (System::MaxwellTe { .. }, _) => self.with::<S, _, 2, 3>(Plan::maxwell),
-            (System::ElasticWaves { .. }, _) => self.with::<S, _, 2, 5>(Plan::elastic_waves),
+            (System::ShallowWater { .. }, _) => self.fast::<S, _, 2, 3>(Plan::shallow_water),
+            (System::MaxwellTe { .. }, _) => self.fast::<S, _, 2, 3>(Plan::maxwell),
+            (System::ElasticWaves { .. }, _) => self.fast::<S, _, 2, 5>(Plan::elastic_waves),
             (System::LinearisedGas { .. }, 1) => self.with::<S, _, 1, 3>(Plan::linearised_gas),
-            (System::LinearisedGas { .. }, 2) => self.with::<S, _, 2, 4>(Plan::linearised_gas),
+            (System::LinearisedGas { .. }, 2) => self.fast::<S, _, 2, 4>(Plan::linearised_gas),
             (System::LinearisedGas { .. }, _) => self.with::<S, _, 3, 5>(Plan::linearised_gas),
             (System::Matrices { .. }, 1) => in_components!(self, S, 1),
             (System::Matrices { .. }, 2) => in_components!(self, S, 2),
@@ -121,15 +122,42 @@ impl Call<'_, '_, '_> {
         }
     }
 
+    /// With a cut-off that is looked up for each pair.
     fn with<S: HostScalar, F: FirstOrderSystem<S, D, P>, const D: usize, const P: usize>(
         self,
         system: impl Fn(&Plan) -> Option<F>,
     ) -> Result<Outcome, LinearError> {
+        let cut_off = self.plan.cut_off;
+        self.with_cut_off::<S, _, F, D, P>(cut_off, system)
+    }
+
+    /// With the cut-offs that scenarios use most compiled into the loops: the same bits faster.
+    fn fast<S: HostScalar, F: FirstOrderSystem<S, D, P>, const D: usize, const P: usize>(
+        self,
+        system: impl Fn(&Plan) -> Option<F>,
+    ) -> Result<Outcome, LinearError> {
+        match self.plan.cut_off {
+            Named::QuinticSpline => self.with_cut_off::<S, _, F, D, P>(QuinticSpline, system),
+            Named::SmoothFour => self.with_cut_off::<S, _, F, D, P>(Smooth::<7, 4>, system),
+            _ => self.with::<S, F, D, P>(system),
+        }
+    }
+
+    fn with_cut_off<S, C, F, const D: usize, const P: usize>(
+        self,
+        cut_off: C,
+        system: impl Fn(&Plan) -> Option<F>,
+    ) -> Result<Outcome, LinearError>
+    where
+        S: HostScalar,
+        C: CutOff,
+        F: FirstOrderSystem<S, D, P>,
+    {
         let Some(system) = system(self.plan) else {
             return Err(self.refused());
         };
-        let law = (self.plan.cut_off, system);
-        run_with::<S, _, F, D, P>(
+        let law = (cut_off, system);
+        run_with::<S, C, F, D, P>(
             self.plan,
             self.scalar.name(),
             law,

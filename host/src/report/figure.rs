@@ -66,7 +66,7 @@ pub(super) const MOST_PANELS: usize = 6;
 
 /// Canvas units per pixel of the picture: the drawing library rounds to whole
 /// units, and lines of whole pixels would show steps.
-const UNIT: i32 = 4;
+pub(super) const UNIT: i32 = 4;
 
 /// Width and height of a panel, in pixels.
 const PANEL: (u32, u32) = (440, 300);
@@ -79,17 +79,17 @@ const HEAD: u32 = 62;
 const MOST_POINTS: usize = 1500;
 
 // Blue and vermilion of Okabe and Ito (2008), told apart by all kinds of colour vision.
-const PARTICLES: RGBColor = RGBColor(0, 114, 178);
-const EXACT: RGBColor = RGBColor(213, 94, 0);
-const INK: RGBColor = RGBColor(51, 51, 51);
-const GRID: RGBColor = RGBColor(225, 225, 225);
+pub(super) const PARTICLES: RGBColor = RGBColor(0, 114, 178);
+pub(super) const EXACT: RGBColor = RGBColor(213, 94, 0);
+pub(super) const INK: RGBColor = RGBColor(51, 51, 51);
+pub(super) const GRID: RGBColor = RGBColor(225, 225, 225);
 
 /// Radius of a particle, in canvas units: 1.5 pixels.
 const RADIUS: i32 = 3 * UNIT / 2;
 
-const FONT: &str = "sans-serif";
+pub(super) const FONT: &str = "sans-serif";
 
-type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+pub(super) type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 /// Draws 1 to 6 panels, two beside each other; returns the picture as SVG text.
 ///
@@ -103,17 +103,11 @@ pub fn panels(title: &str, x_label: &str, panels: &[Panel]) -> Result<String, Fi
     let columns = count.min(2);
     let rows = count.div_ceil(columns);
     let (width, height) = (PANEL.0 * columns as u32, HEAD + PANEL.1 * rows as u32);
-    let unit = UNIT.unsigned_abs();
     let panels: Vec<Panel> = panels.iter().map(finite).collect();
     let most = panels.iter().map(|panel| panel.points.len()).max();
     let stride = most.unwrap_or(0).div_ceil(MOST_POINTS).max(1);
-
-    let mut text = String::new();
-    {
-        let size = (width * unit, height * unit);
-        let canvas = SVGBackend::with_string(&mut text, size).into_drawing_area();
-        canvas.fill(&WHITE)?;
-        let (head, body) = canvas.split_vertically(HEAD * unit);
+    svg((width, height), |canvas| {
+        let (head, body) = canvas.split_vertically(HEAD * UNIT.unsigned_abs());
         draw_head(&head, title, &panels, stride)?;
         let x_range = range(panels.iter().flat_map(all).map(|(x, _)| x), 0.02);
         for (index, area) in body
@@ -126,6 +120,22 @@ pub fn panels(title: &str, x_label: &str, panels: &[Panel]) -> Result<String, Fi
             let label = if lowest { x_label } else { "" };
             draw_panel(area, x_range.clone(), label, &panels[index], stride)?;
         }
+        Ok(())
+    })
+}
+
+/// The SVG text of a white picture of that width and height in pixels that `draw` fills.
+pub(super) fn svg(
+    (width, height): (u32, u32),
+    draw: impl FnOnce(&Canvas<'_>) -> Result<(), FigureError>,
+) -> Result<String, FigureError> {
+    let unit = UNIT.unsigned_abs();
+    let mut text = String::new();
+    {
+        let size = (width * unit, height * unit);
+        let canvas = SVGBackend::with_string(&mut text, size).into_drawing_area();
+        canvas.fill(&WHITE)?;
+        draw(&canvas)?;
         canvas.present()?;
     }
     // The size on screen; the canvas keeps its finer units in `viewBox`.

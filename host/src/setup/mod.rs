@@ -63,13 +63,7 @@ pub const LARGEST: usize = 1 << 29;
 /// Regions and deposits without particles, files that are no cloud, glasses too small for
 /// their sides, and more than [`LARGEST`] particles.
 pub fn particles(scenario: &Scenario) -> Result<Vec<Placed>, SetupError> {
-    let asked = scenario.resolution.particles;
-    if asked > LARGEST {
-        return Err(SetupError::TooMany {
-            particles: asked,
-            limit: LARGEST,
-        });
-    }
+    check_count(scenario)?;
     let mut particles = match (&scenario.resolution.arrangement, &scenario.profile) {
         (Arrangement::File(file), _) => cloud::read(file, scenario)?,
         (_, Some(profile)) => profile::place(profile, scenario)?,
@@ -78,4 +72,16 @@ pub fn particles(scenario: &Scenario) -> Result<Vec<Placed>, SetupError> {
     };
     deposit::add(scenario, &mut particles)?;
     Ok(particles)
+}
+
+/// Refuses more than [`LARGEST`] particles, before any is placed.
+pub fn check_count(scenario: &Scenario) -> Result<(), SetupError> {
+    let particles = scenario.resolution.particles;
+    match particles > LARGEST {
+        true => Err(SetupError::TooMany {
+            particles,
+            limit: LARGEST,
+        }),
+        false => Ok(()),
+    }
 }

@@ -63,15 +63,22 @@ pub enum PlanError {
 }
 
 impl Plan {
+    /// Refuses more particles than can be counted or fit into memory, before any is placed.
+    ///
+    /// # Errors
+    /// [`PlanError::Setup`] or [`PlanError::Memory`].
+    pub fn check_size(scenario: &Scenario) -> Result<(), PlanError> {
+        setup::check_count(scenario)?;
+        let particles = scenario.resolution.particles;
+        check_memory(particles, size_of::<Placed>()).map_err(PlanError::Memory)
+    }
+
     /// Plans a run.
     ///
     /// # Errors
     /// What [`PlanError`] lists.
     pub fn new(scenario: &Scenario) -> Result<Self, PlanError> {
-        let particles = scenario.resolution.particles;
-        if particles <= setup::LARGEST {
-            check_memory(particles, size_of::<Placed>()).map_err(PlanError::Memory)?;
-        }
+        Self::check_size(scenario)?;
         let placed = setup::particles(scenario)?;
         let units = units(scenario, &placed);
         check_units(&units)?;

@@ -1,4 +1,4 @@
-//! Velocity fields `a(x,t)`: what particles follow (1.20), and what carries a transported
+//! Velocity fields `a(x,t)`: what particles follow, (1.6) and (1.20), and what carries a transported
 //! quantity.
 
 use crate::scalar::{Scalar, cosine_of_turns, sine_of_turns};

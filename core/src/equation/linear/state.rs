@@ -25,7 +25,8 @@ impl<const D: usize, const P: usize> Particle<f64, D, P> {
     }
 }
 
-/// The state: one array a quantity, all of the same length, indexed by particle id.
+/// The state, the measure `Σ_k q_k δ(x - x_k)` of (1.11): one array a quantity, all of the same
+/// length, indexed by particle id.
 ///
 /// The first three are the state; the others are made from them.
 pub struct State<'a, S: Scalar, const D: usize, const P: usize> {
@@ -52,7 +53,7 @@ impl<S: Scalar, const D: usize, const P: usize> State<'_, S, D, P> {
         self.weight.is_empty()
     }
 
-    /// Sets strengths from weights and values: `q = w u`.
+    /// Sets strengths from weights and values: `q = w u` (1.19).
     pub fn weigh(&mut self) {
         let particles = self.strength.iter_mut().zip(self.weight.iter());
         for ((strength, &weight), value) in particles.zip(self.value.iter()) {

@@ -108,5 +108,11 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
             key("upper", "upper = [0.5]"),
         ],
     ),
-    ("tolerance", &[key("state", "[tolerance.state]")]),
+    (
+        "tolerance",
+        &[
+            key("state", "[tolerance.state]"),
+            key("reconstruction", "[tolerance.reconstruction]"),
+        ],
+    ),
 ];

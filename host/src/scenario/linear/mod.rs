@@ -15,7 +15,7 @@ use super::error::{Fault, ScenarioError};
 use super::section::Section;
 use super::source::Source;
 use super::tolerance::Tolerance;
-use super::{CutOff, Domain, Units, check, cut_off};
+use super::{CutOff, Domain, Side, Units, check, cut_off};
 
 pub use field::Field;
 pub use initial::Initial;
@@ -69,6 +69,14 @@ impl LinearScenario {
     pub fn read(source: Source, overrides: &[String]) -> Result<Self, ScenarioError> {
         check::read(&source, overrides, check::linear)
     }
+
+    /// Whether the particles go with what they carry, so that nothing passes between them (2.2).
+    pub fn is_carried(&self) -> bool {
+        match &self.system {
+            System::Transport { velocity, .. } => *velocity == self.motion,
+            _ => false,
+        }
+    }
 }
 
 /// The scenario of a text.
@@ -81,6 +89,7 @@ pub(super) fn scenario(
     let domain = heading.domain;
     check_sides(root, &domain)?;
     let system = system::system(root, &domain)?;
+    check_walls(root, &domain, &system)?;
     let resolution = resolution::resolution(&root.required("resolution")?.section()?, folder)?;
     let in_file = matches!(resolution.arrangement, Arrangement::File(_));
     let initial = match root.optional("initial") {
@@ -105,6 +114,19 @@ pub(super) fn scenario(
         domain,
         text: text.to_owned(),
     })
+}
+
+/// That a wall knows what is even and what is odd.
+fn check_walls(root: &Section<'_>, domain: &Domain, system: &System) -> Result<(), Fault> {
+    let is_wall = |sides: &[Side; 2]| sides.contains(&Side::Mirror);
+    let axis = domain.sides.iter().position(is_wall);
+    let (Some(axis), System::Matrices { .. }) = (axis, system) else {
+        return Ok(());
+    };
+    let sides = root.required("domain")?.section()?.required("sides")?;
+    let directions = sides.directions(domain.sides.len())?;
+    let reason = "matrices do not say which components change sign in a mirror".to_owned();
+    Err(directions[axis].does_not_fit(reason, "write \"periodic\" or \"free\""))
 }
 
 /// That nothing is taken in or out.

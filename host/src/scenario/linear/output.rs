@@ -41,6 +41,8 @@ pub struct Probe {
 pub enum Measured {
     /// All components together.
     State,
+    /// The reconstruction (1.13) of all components together.
+    Reconstruction,
     /// One of them, counted from 0.
     Component(usize),
 }
@@ -148,7 +150,7 @@ fn probe(section: &Section<'_>, domain: &Extent) -> Result<Probe, Fault> {
     })
 }
 
-/// `[tolerance]`: of the state, then of the components in their order.
+/// `[tolerance]`: of the state, of the reconstruction, then of the components in their order.
 pub(super) fn tolerances(
     root: &Section<'_>,
     output: &Output,
@@ -157,7 +159,10 @@ pub(super) fn tolerances(
 ) -> Result<Vec<Tolerance<Measured>>, Fault> {
     let names = system.names(dimension).into_iter().enumerate();
     let components = names.map(|(i, name)| (name, Measured::Component(i)));
-    let state = [("state".to_owned(), Measured::State)];
-    let fields: Vec<_> = state.into_iter().chain(components).collect();
+    let whole = [
+        ("state".to_owned(), Measured::State),
+        ("reconstruction".to_owned(), Measured::Reconstruction),
+    ];
+    let fields: Vec<_> = whole.into_iter().chain(components).collect();
     tolerance::tolerances(root, output.exact, &fields)
 }

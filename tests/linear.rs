@@ -1,0 +1,299 @@
+//! The linear systems as they are shipped: accuracy in f64 and f32, the same bits on any number of
+//! threads, sums, growth, and what is refused.
+
+use std::collections::BTreeMap;
+
+use motes::comparison::Norms;
+use motes::engine::Threads;
+use motes::linear::{Control, Experiment, LinearError, Outcome, Plan};
+use motes::scenario::linear::{LinearScenario, Measured};
+use motes::scenario::{AnyScenario, BUILT_IN, Norm, Source};
+use motes::simulation::RunError;
+
+/// The scenario with these changes.
+fn scenario(name: &str, changes: &[&str]) -> LinearScenario {
+    let changes: Vec<String> = changes.iter().map(|change| (*change).to_owned()).collect();
+    let source = match name.ends_with(".toml") {
+        true => Source::from(name),
+        false => Source::BuiltIn(name.to_owned()),
+    };
+    LinearScenario::read(source, &changes).unwrap()
+}
+
+/// A run of it.
+fn experiment(
+    scenario: LinearScenario,
+    scalar: &str,
+    threads: usize,
+) -> Result<Experiment, LinearError> {
+    let mut engine = Threads::new(threads).unwrap();
+    let mut control = Control {
+        samples: 10,
+        progress: &mut |_| true,
+        look: &mut |_| Ok(()),
+    };
+    let how = (scalar.parse().unwrap(), false);
+    Experiment::run(scenario, how, &mut engine, &mut control)
+}
+
+fn run(name: &str, scalar: &str, threads: usize, changes: &[&str]) -> Outcome {
+    let scenario = scenario(name, changes);
+    experiment(scenario, scalar, threads)
+        .unwrap_or_else(|error| panic!("{name}: {error}"))
+        .outcome
+}
+
+fn errors(name: &str, scalar: &str, changes: &[&str]) -> BTreeMap<String, Norms> {
+    let scenario = scenario(name, changes);
+    let experiment = experiment(scenario, scalar, 2).unwrap();
+    experiment.errors.unwrap()
+}
+
+/// Every linear scenario that comes with the program.
+fn built_in() -> Vec<LinearScenario> {
+    let all = BUILT_IN.iter().map(|built_in| {
+        let source = Source::BuiltIn(built_in.name.to_owned());
+        AnyScenario::read(source, &[]).unwrap()
+    });
+    all.filter_map(|scenario| match scenario {
+        AnyScenario::Linear(scenario) => Some(*scenario),
+        AnyScenario::Gas(_) => None,
+    })
+    .collect()
+}
+
+#[test]
+fn every_system_keeps_its_tolerance_in_f64_and_f32() {
+    let all = built_in();
+    assert_eq!(all.len(), 11);
+    for scenario in all {
+        assert!(!scenario.tolerances.is_empty(), "{}", scenario.name);
+        for scalar in ["f64", "f32"] {
+            let experiment = experiment(scenario.clone(), scalar, 2).unwrap();
+            let errors = experiment.errors.unwrap();
+            for tolerance in &scenario.tolerances {
+                let field = match tolerance.field {
+                    Measured::State => "state",
+                    Measured::Reconstruction => "reconstruction",
+                    Measured::Component(i) => &experiment.plan.names[i],
+                };
+                let error = errors[field].of(tolerance.norm);
+                let (name, bound) = (&scenario.name, tolerance.value);
+                assert!(
+                    error <= bound,
+                    "{name} in {scalar}: {field} {error} > {bound}"
+                );
+                // A bound that is far away says nothing.
+                assert!(
+                    error > 0.6 * bound,
+                    "{name}: {field} {error}, tighten {bound}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_bits() {
+    for scenario in built_in() {
+        let name = scenario.name.clone();
+        let few = ["resolution.particles=900", "time.end=0.05"];
+        let digest = |threads| run(&name, "f32", threads, &few).digest;
+        let one = digest(1);
+        assert_eq!(one, digest(2), "{name}");
+        assert_eq!(one, digest(7), "{name}");
+    }
+}
+
+/// The velocity field that particles follow is free: the solution is the same, and the error of
+/// the same size.
+#[test]
+fn the_motion_of_the_particles_is_free() {
+    let still = errors("acoustics1d", "f64", &["motion.kind=still"]);
+    let moving = errors("acoustics1d", "f64", &[]);
+    let ratio = moving["state"].l2 / still["state"].l2;
+    assert!((0.5..2.0).contains(&ratio), "{ratio}");
+}
+
+/// On particles that go with the flow the values have the error of the integrator alone: fourth
+/// order in the step, none of the cut-off.
+#[test]
+fn carried_values_do_not_feel_the_cut_off() {
+    let state = |changes: &[&str]| errors("transport-rotation", "f64", changes)["state"].l2;
+    let usual = state(&["time.step=0.01"]);
+    let other = state(&["time.step=0.01", "cut-off.name=smooth-4", "cut-off.eta=1.1"]);
+    assert_eq!(usual, other);
+    let order = (state(&["time.step=0.02"]) / usual).log2();
+    assert!((order - 4.0).abs() < 0.3, "order {order}");
+}
+
+/// Without losses, sources and walls the sums of the strengths are those of the start.
+#[test]
+fn sums_are_conserved_to_rounding() {
+    for (name, scalar, bound) in [
+        ("acoustics1d", "f64", 1e-14),
+        ("acoustics1d", "f32", 1e-6),
+        ("maxwell-te", "f64", 1e-14),
+        ("elastic-waves", "f64", 1e-14),
+        ("linearised-gas", "f32", 1e-6),
+        ("transport-mesh", "f64", 1e-14),
+    ] {
+        let drift = run(name, scalar, 2, &[]).drift.unwrap();
+        let worst = drift
+            .iter()
+            .fold(0.0f64, |worst, drift| worst.max(drift.abs()));
+        assert!(worst < bound, "{name} in {scalar}: {worst}");
+    }
+    let lossy = run("telegraph", "f64", 1, &[]);
+    assert_eq!(lossy.drift, None);
+}
+
+#[cfg(feature = "every-scalar")]
+#[test]
+fn one_dimension_runs_in_fixed_point_with_exact_sums() {
+    for (name, bound) in [("acoustics1d", 2e-3), ("telegraph", 2e-3)] {
+        let few = ["resolution.particles=512"];
+        let scenario = scenario(name, &few);
+        let in_q12_19 = experiment(scenario, "q12.19", 2).unwrap();
+        let error = in_q12_19.errors.unwrap()["state"].l2;
+        assert!(error < bound, "{name}: {error}");
+        if name == "acoustics1d" {
+            assert_eq!(in_q12_19.outcome.drift.unwrap(), [0.0, 0.0]);
+        }
+    }
+}
+
+/// The energy norm of a lossless system keeps its size, that of a lossy one falls as fast as it
+/// may at least, and none passes its bound.
+#[test]
+fn the_energy_norm_stays_below_its_bound() {
+    for scenario in built_in() {
+        let name = scenario.name.clone();
+        let outcome = run(&name, "f64", 2, &["resolution.particles=1024"]);
+        for sample in &outcome.series {
+            let (norm, bound) = (sample.energy.norm, sample.energy.bound);
+            assert!(norm <= 1.01 * bound, "{name}: {norm} > {bound}");
+        }
+    }
+}
+
+/// On a cloud so thin that a particle sees one or two others the scheme is no approximation, and
+/// the norm runs away: the run stops and says so.
+#[test]
+fn a_norm_that_grows_faster_than_any_solution_stops_the_run() {
+    let changes = [
+        "resolution.particles=64",
+        "resolution.arrangement=low-discrepancy",
+        "cut-off.epsilon=0.012",
+        "time.end=20",
+    ];
+    match experiment(scenario("acoustics1d", &changes), "f64", 1) {
+        Err(LinearError::Growth { norm, bound, .. }) => assert!(norm > bound),
+        Err(error) => panic!("{error}"),
+        Ok(experiment) => panic!("{:?}", experiment.outcome.series.last()),
+    }
+}
+
+#[test]
+fn what_cannot_be_run_is_refused_with_its_reason() {
+    let refused = |changes: &[&str]| {
+        let error = experiment(scenario("acoustics1d", changes), "f64", 1);
+        error.err().unwrap_or_else(|| panic!("{changes:?} ran"))
+    };
+    let LinearError::Step { step, limit, .. } = refused(&["time.step=0.1"]) else {
+        panic!("a step of 0.1 is above the limit");
+    };
+    assert!(step > limit && limit > 0.0);
+    // Just below the limit it runs.
+    let below = format!("time.step={}", 0.99 * limit);
+    run("acoustics1d", "f64", 1, &[&below]);
+    let alone = refused(&["cut-off.epsilon=1e-4"]);
+    assert!(alone.to_string().contains("sees no neighbour"), "{alone}");
+    let Err(in_plane) = experiment(scenario("maxwell-te", &[]), "q12.19", 1) else {
+        panic!("fixed point is for one dimension");
+    };
+    assert!(
+        in_plane.to_string().contains("does not run in"),
+        "{in_plane}"
+    );
+}
+
+#[test]
+fn a_run_can_be_interrupted() {
+    let mut engine = Threads::new(1).unwrap();
+    let mut control = Control {
+        samples: 10,
+        progress: &mut |done| done < 0.5,
+        look: &mut |_| Ok(()),
+    };
+    let how = ("f64".parse().unwrap(), false);
+    let result = Experiment::run(scenario("telegraph", &[]), how, &mut engine, &mut control);
+    let interrupted = matches!(
+        result.err(),
+        Some(LinearError::Run(RunError::Interrupted { .. }))
+    );
+    assert!(interrupted);
+}
+
+/// A system of one's own, by its matrices: acoustics in a moving frame, found symmetrisable and
+/// solved to the accuracy of the shipped one.
+#[test]
+fn a_system_given_by_matrices_is_solved() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("own.toml");
+    let text = "name = \"own\"\ndimension = 1\n\
+        [domain]\nlower = [0.0]\nupper = [1.0]\nsides = [\"periodic\"]\n\
+        [system]\nkind = \"matrices\"\ncomponents = 2\n\
+        flux = [[[0.3, 4.0], [1.0, 0.3]]]\ndecay = [[0.2, 0.0], [0.0, 0.1]]\n\
+        [initial]\nkind = \"modes\"\nwave = [1]\nstate = [1.0, 0.5]\n\
+        [resolution]\nparticles = 200\n\
+        [cut-off]\nname = \"smooth-4\"\neta = 1.0\ntheta = 0.75\n\
+        [time]\nend = 0.2\n[output]\nexact = \"initial\"\n";
+    std::fs::write(&file, text).unwrap();
+    let own = |changes: &[&str]| {
+        let name = file.display().to_string();
+        experiment(scenario(&name, changes), "f64", 1)
+    };
+    let experiment = own(&[]).unwrap();
+    let error = experiment.errors.unwrap()["state"].l2;
+    assert!(error < 3e-4, "{error}");
+    // P A is symmetric for P = diag(1, 4) up to a factor: the norm weighs the second component.
+    let symmetriser = experiment.plan.symmetriser.unwrap();
+    let [a, b, c, d] = symmetriser.matrix[..] else {
+        panic!("{symmetriser:?}");
+    };
+    assert!((d / a - 4.0).abs() < 1e-9 && b.abs() < 1e-9 && c.abs() < 1e-9);
+    assert!((symmetriser.speed - 2.3).abs() < 1e-9);
+    for (flux, reason) in [
+        ("[[[0.0, 1.0], [-1.0, 0.0]]]", "not hyperbolic"),
+        ("[[[1.0, 1.0], [0.0, 1.0]]]", "too few eigenvectors"),
+    ] {
+        let changed = format!("system.flux={flux}");
+        let error = own(&[&changed]).err().unwrap();
+        assert!(error.to_string().contains(reason), "{error}");
+    }
+}
+
+/// All quadratures integrate: weights add up to the domain, and acoustics converges on each.
+#[test]
+fn every_quadrature_carries_a_solution() {
+    for (arrangement, bound) in [
+        ("lattice", 3e-5),
+        ("distorted", 6e-5),
+        ("low-discrepancy", 0.3),
+    ] {
+        let arrangement = format!("resolution.arrangement={arrangement}");
+        let changes = [
+            "resolution.particles=400",
+            "cut-off.name=smooth-4",
+            "cut-off.eta=1.0",
+            &arrangement,
+        ];
+        let scenario = scenario("acoustics1d", &changes);
+        let plan = Plan::new(&scenario).unwrap();
+        let sum: f64 = plan.weights.iter().sum();
+        assert!((sum / 400.0 - 1.0).abs() < 1e-6, "{arrangement}: {sum}");
+        let error = errors("acoustics1d", "f64", &changes)["state"].of(Norm::L2);
+        assert!(error < bound, "{arrangement}: {error}");
+    }
+}

@@ -152,7 +152,6 @@ pub(super) struct BenchArguments {
     pub json: bool,
 }
 
-<<<<<<< HEAD
 const CONVERGE_EXAMPLES: &str = "\
 Examples:
   motes converge sound-wave                         four levels, up to its own 200 particles
@@ -204,20 +203,7 @@ pub(super) struct ConvergeArguments {
     pub json: bool,
 }
 
-/// The scenario of that name or file, with its changes.
-pub(super) fn scenario(
-    name: &str,
-    particles: Option<&str>,
-    overrides: &[String],
-) -> Result<Scenario, Failure> {
-    let overrides = with_particles(particles, overrides)?;
-    Scenario::read(Source::from(name), &overrides).map_err(|error| Failure::Input(error.into()))
-}
-
-/// The same, of a gas or a linear system.
-=======
 /// The scenario of that name or file, a gas or a linear system, with its changes.
->>>>>>> device
 pub(super) fn any_scenario(
     name: &str,
     particles: Option<&str>,

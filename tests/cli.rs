@@ -3,9 +3,9 @@
 mod command;
 
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Command;
 
-use command::{failure, motes, stdout};
+use command::{failure, stdout};
 use serde_json::Value;
 
 #[test]

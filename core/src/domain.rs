@@ -156,6 +156,17 @@ impl<S: Scalar, const D: usize> Domain<S, D> {
     }
 }
 
+/// A wall, as what lies behind it is seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wall<S> {
+    /// The direction across it.
+    pub axis: usize,
+    /// 0 for the lower side of the domain, 1 for the upper one.
+    pub end: usize,
+    /// Where it is.
+    pub position: S,
+}
+
 /// How a neighbour is seen along one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Offset<S> {

@@ -92,3 +92,23 @@ fn square<N: Number>(t: N) -> N {
 fn positive<N: Number>(t: N) -> N {
     t.max(N::zero())
 }
+
+/// `∫ |∂_1 ζ| dx = c_D σ_D ∫ |z'| q^(D-1) dq`, `c = 2, 4, 2π`, by the midpoint rule.
+pub fn slope<C: CutOff, const D: usize>(cut_off: C) -> f64 {
+    const POINTS: u32 = 256;
+    let sphere = match D {
+        1 => 2.0,
+        2 => 4.0,
+        _ => core::f64::consts::TAU,
+    };
+    let width = f64::from(cut_off.support()) / f64::from(POINTS);
+    let mut sum = 0.0;
+    for i in 0..POINTS {
+        let q = width * (f64::from(i) + 0.5);
+        let argument = cut_off.argument(q * q);
+        let slope = cut_off.gradient::<D, f64>(argument) * q;
+        let size = if slope < 0.0 { -slope } else { slope };
+        sum += size * Scalar::powi(q, D.saturating_sub(1));
+    }
+    sphere * cut_off.normalisation::<D>() * width * sum
+}

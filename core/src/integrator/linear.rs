@@ -5,13 +5,13 @@ mod tests;
 
 use crate::cutoff::CutOff;
 use crate::equation::linear::{
-    FirstOrderSystem, LinearDynamics, LinearWorkspace, Register, Stability, Start, State,
-    VelocityField,
+    FirstOrderSystem, LinearDynamics, LinearWorkspace, Register, Stability, State, VelocityField,
 };
 use crate::error::Error;
 use crate::pairs::Engine;
 use crate::scalar::Scalar;
 
+use super::registers::{accumulate, put, remember};
 use super::runge_kutta::{From, RungeKutta, SemiDiscrete};
 
 /// A solver with the state that it moves.
@@ -36,22 +36,7 @@ where
     A: VelocityField<S, D>,
 {
     fn start(&mut self) -> Result<(), Error> {
-        let n = self.state.len();
-        let (Some(start), Some(sum)) = (self.work.start.get_mut(..n), self.work.sum.get_mut(..n))
-        else {
-            return Err(Error::Lengths);
-        };
-        sum.fill(Register::ZERO);
-        let rows = start.iter_mut().zip(self.state.position.iter());
-        let rows = rows.zip(self.state.weight.iter());
-        for (((start, &position), &weight), &strength) in rows.zip(self.state.strength.iter()) {
-            *start = Start {
-                position,
-                weight,
-                strength,
-            };
-        }
-        Ok(())
+        remember(self.state, self.work.start, self.work.sum)
     }
 
     fn rates(&mut self, time: S) -> Result<(), Error> {
@@ -60,34 +45,18 @@ where
     }
 
     fn accumulate(&mut self, n: u32) {
-        for (sum, last) in self.work.sum.iter_mut().zip(self.work.last.iter()) {
-            sum.add(n, last);
-        }
+        accumulate(self.work.sum, self.work.last, n);
     }
 
     fn stage(&mut self, dt: S, from: From) -> Result<(), Error> {
-        let registers: &[Register<S, D, P>] = match from {
+        let rates: &[Register<S, D, P>] = match from {
             From::Last => self.work.last,
             From::Sum => self.work.sum,
         };
-        // Rates of strengths are ε times theirs: small numbers times 1/ε would lose digits.
-        let per_epsilon = dt / self.dynamics.epsilon;
-        let still = self.dynamics.field.is_still();
-        for (id, (start, rates)) in self.work.start.iter().zip(registers).enumerate() {
-            let Some(row) = self.state.row(id) else { break };
-            if !still {
-                *row.position = start.position;
-                let step = rates.position.map(|a| dt * a);
-                self.dynamics.domain.drift(row.position, &step, id as u32)?;
-                *row.weight = start.weight + dt * rates.weight;
-            }
-            let components = row.strength.iter_mut().zip(&start.strength);
-            for ((strength, &q), &rate) in components.zip(&rates.strength) {
-                *strength = S::wide_sum(q, S::product(per_epsilon, rate));
-            }
-            row.revalue();
-        }
-        Ok(())
+        let dynamics = self.dynamics;
+        let moved = (!dynamics.field.is_still()).then_some((&dynamics.domain, dt));
+        let registers = (&*self.work.start, rates);
+        put(self.state, registers, moved, dt / dynamics.epsilon)
     }
 }
 

@@ -1,5 +1,6 @@
 //! What an equation has to say.
 
+use crate::domain::Wall;
 use crate::scalar::{Number, Scalar};
 
 /// A record of scalars that also exists with lanes in place of the scalars.
@@ -149,10 +150,9 @@ pub trait Law<S: Scalar, const D: usize>: Sync {
         true
     }
 
-    /// The mirror image of a node in a wall across direction `axis`; its position is not
-    /// part of it.
-    fn reflected(&self, node: &Self::Node, axis: usize) -> Self::Node {
-        let _ = axis;
+    /// The mirror image of a node in a wall; where the image is the engine knows.
+    fn reflected(&self, node: &Self::Node, wall: &Wall<S>) -> Self::Node {
+        let _ = wall;
         *node
     }
 }

@@ -1,6 +1,7 @@
 //! The terms of one run on one receiver.
 
 use super::law::{Fields, Law};
+use crate::domain::{Offset, Wall};
 use crate::neighbours::{Cells, Run, Site, code};
 use crate::scalar::{Number, Scalar};
 
@@ -29,7 +30,7 @@ pub(super) fn run_terms<S: Scalar, const D: usize, W: Law<S, D>>(
         }
         let distance_squared = S::length_squared(&r);
         if distance_squared < Number::max(site.reach_squared, partner.reach_squared) {
-            let l = image_of(law, shown, &run.image.0).splat::<S>();
+            let l = image_of(law, shown, &run.image.0, &offsets).splat::<S>();
             law.pair(&k, &l, &r, distance_squared, sums, &mut discarded);
         }
     }
@@ -41,11 +42,17 @@ fn image_of<S: Scalar, const D: usize, W: Law<S, D>>(
     law: &W,
     node: &W::Node,
     image: &[u8; D],
+    offsets: &[Offset<S>; D],
 ) -> W::Node {
     let mut node = *node;
-    for (axis, &seen) in image.iter().enumerate() {
-        if seen == code::LOWER_WALL || seen == code::UPPER_WALL {
-            node = law.reflected(&node, axis);
+    for (axis, (&seen, offset)) in image.iter().zip(offsets).enumerate() {
+        if let Offset::Wall(position) = *offset {
+            let wall = Wall {
+                axis,
+                end: usize::from(seen == code::UPPER_WALL),
+                position,
+            };
+            node = law.reflected(&node, &wall);
         }
     }
     node

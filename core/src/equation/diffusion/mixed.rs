@@ -125,7 +125,11 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Diverge
             node: imaged(&node.node, wall, &self.0.walls),
             flux: node.flux,
         };
-        let conditions = self.0.walls.get(wall.axis).and_then(|ends| ends.get(wall.end));
+        let conditions = self
+            .0
+            .walls
+            .get(wall.axis)
+            .and_then(|ends| ends.get(wall.end));
         let place = node.node.position.get(wall.axis);
         let (Some(conditions), Some(&x)) = (conditions, place) else {
             return image;
@@ -137,9 +141,12 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Diverge
         let nodes = node.node.value.iter().zip(&node.node.diffusivity);
         for ((flux, condition), (&u, &b)) in species.zip(nodes) {
             if let Some(component) = flux.get_mut(wall.axis) {
-                let outwards = if wall.end == 0 { -*component } else { *component };
-                let seen = condition.flux_image(outwards / epsilon, u, b, distance);
-                let seen = epsilon * seen;
+                let outwards = if wall.end == 0 {
+                    -*component
+                } else {
+                    *component
+                };
+                let seen = condition.flux_image(outwards, epsilon, (u, b, distance));
                 *component = if wall.end == 0 { -seen } else { seen };
             }
         }

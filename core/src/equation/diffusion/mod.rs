@@ -18,5 +18,5 @@ pub use dynamics::{DiffusionDynamics, Form};
 pub use mixed::{FluxSums, MixedNode};
 pub use node::{DiffusionNode, DiffusionSums};
 pub use problem::{DiffusionProblem, Heat};
-pub use storage::{DiffusionStorage, DiffusionWorkspace};
+pub use storage::{DiffusionStorage, DiffusionWorkspace, MixedWorkspace};
 pub use wall::Condition;

@@ -56,17 +56,17 @@ impl<S: Scalar> Condition<S> {
         wall + (wall - u)
     }
 
-    /// The normal component of the flux of the mirror image, from that of the particle.
-    pub(super) fn flux_image(&self, flux: S, u: S, b: S, distance: S) -> S {
+    /// The flux of the mirror image along the normal, from that of the particle; both times
+    /// `epsilon`, and not rounded where nothing passes.
+    pub(super) fn flux_image(&self, flux: S, epsilon: S, (u, b, distance): (S, S, S)) -> S {
         let through = match *self {
             Self::NoFlux => S::ZERO,
             // A temperature that is held says nothing of the flux: it goes on.
             Self::Value(_) => return flux,
             Self::Flux(flux) => flux,
-            Self::Exchange { rate, outside } => {
-                rate * (self.at_wall(u, b, distance) - outside)
-            }
+            Self::Exchange { rate, outside } => rate * (self.at_wall(u, b, distance) - outside),
         };
+        let through = epsilon * through;
         (through + through) - flux
     }
 }

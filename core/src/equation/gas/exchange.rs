@@ -19,6 +19,7 @@
 //! [`Options`]: super::Options
 
 use crate::cutoff::CutOff;
+use crate::domain::Wall;
 use crate::pairs::Law;
 use crate::record;
 use crate::scalar::{Number, Scalar};
@@ -290,7 +291,7 @@ impl<S: Scalar, C: CutOff, V: Viscosity<S>, const D: usize> Law<S, D> for Exchan
         }
     }
 
-    fn reflected(&self, node: &ExchangeNode<S, D>, axis: usize) -> ExchangeNode<S, D> {
+    fn reflected(&self, node: &ExchangeNode<S, D>, wall: &Wall<S>) -> ExchangeNode<S, D> {
         let mut node = *node;
         for vector in [
             &mut node.velocity,
@@ -298,13 +299,13 @@ impl<S: Scalar, C: CutOff, V: Viscosity<S>, const D: usize> Law<S, D> for Exchan
             &mut node.acceleration,
             &mut node.energy_slope,
         ] {
-            if let Some(component) = vector.get_mut(axis) {
+            if let Some(component) = vector.get_mut(wall.axis) {
                 *component = -*component;
             }
         }
         for (i, row) in node.slope.iter_mut().enumerate() {
             for (j, entry) in row.iter_mut().enumerate() {
-                if (i == axis) != (j == axis) {
+                if (i == wall.axis) != (j == wall.axis) {
                     *entry = -*entry;
                 }
             }

@@ -8,6 +8,7 @@
 //! Numer. Anal. 46, 1912, 2008).
 
 use crate::cutoff::CutOff;
+use crate::domain::Wall;
 use crate::pairs::Law;
 use crate::record;
 use crate::scalar::{Number, Scalar};
@@ -81,9 +82,9 @@ impl<S: Scalar, C: CutOff, const D: usize> Law<S, D> for Gradient<C> {
         }
     }
 
-    fn reflected(&self, node: &GradientNode<S, D>, axis: usize) -> GradientNode<S, D> {
+    fn reflected(&self, node: &GradientNode<S, D>, wall: &Wall<S>) -> GradientNode<S, D> {
         let mut node = *node;
-        if let Some(component) = node.velocity.get_mut(axis) {
+        if let Some(component) = node.velocity.get_mut(wall.axis) {
             *component = -*component;
         }
         node

@@ -5,6 +5,7 @@
 //! free cloud sum to 0.
 
 use crate::cutoff::CutOff;
+use crate::domain::Wall;
 use crate::pairs::Law;
 use crate::record;
 use crate::scalar::{Number, Scalar};
@@ -117,9 +118,9 @@ impl<S: Scalar, C: CutOff, V: Viscosity<S>, const D: usize> Law<S, D> for Motion
         to_l.approach = to_l.approach.max(closing);
     }
 
-    fn reflected(&self, node: &GasNode<S, D>, axis: usize) -> GasNode<S, D> {
+    fn reflected(&self, node: &GasNode<S, D>, wall: &Wall<S>) -> GasNode<S, D> {
         let mut node = *node;
-        if let Some(component) = node.velocity.get_mut(axis) {
+        if let Some(component) = node.velocity.get_mut(wall.axis) {
             *component = -*component;
         }
         node

@@ -1,6 +1,7 @@
 //! The pair term of (1.18).
 
 use crate::cutoff::CutOff;
+use crate::domain::Wall;
 use crate::pairs::{Fields, Law};
 use crate::scalar::{Number, Scalar};
 
@@ -206,16 +207,16 @@ where
         to_l.partners += near;
     }
 
-    fn reflected(&self, node: &Self::Node, axis: usize) -> Self::Node {
+    fn reflected(&self, node: &Self::Node, wall: &Wall<S>) -> Self::Node {
         let mut drift = node.drift;
-        if let Some(component) = drift.get_mut(axis) {
+        if let Some(component) = drift.get_mut(wall.axis) {
             *component = -*component;
         }
         SystemNode {
             weight: node.weight,
             drift,
-            value: self.system.reflected(&node.value, axis),
-            medium: self.system.reflected_medium(&node.medium, axis),
+            value: self.system.reflected(&node.value, wall.axis),
+            medium: self.system.reflected_medium(&node.medium, wall.axis),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The field that a cloud of strengths stands for, at any points: (1.13).
 
 use crate::cutoff::CutOff;
+use crate::domain::Wall;
 use crate::error::Error;
 use crate::neighbours::{Site, sort};
 use crate::pairs::{Fields, Law, Settled, receive_at};
@@ -51,9 +52,9 @@ where
         }
     }
 
-    fn reflected(&self, node: &Self::Node, axis: usize) -> Self::Node {
+    fn reflected(&self, node: &Self::Node, wall: &Wall<S>) -> Self::Node {
         SystemNode {
-            value: self.system.reflected(&node.value, axis),
+            value: self.system.reflected(&node.value, wall.axis),
             ..*node
         }
     }

@@ -73,7 +73,7 @@ impl<S: Scalar, const D: usize, const P: usize> State<'_, S, D, P> {
     }
 
     /// Whether all arrays have the same length.
-    pub(super) fn is_consistent(&self) -> bool {
+    pub(crate) fn is_consistent(&self) -> bool {
         let n = self.weight.len();
         let lengths = [
             self.position.len(),

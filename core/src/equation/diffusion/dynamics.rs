@@ -1,0 +1,100 @@
+//! The solver of a convection-diffusion problem: what it is made of, and its stable time step.
+
+use super::super::linear::{State, VelocityField};
+use super::problem::DiffusionProblem;
+use super::storage::DiffusionWorkspace;
+use crate::cutoff::{CutOff, slope};
+use crate::domain::Domain;
+use crate::error::{Error, Quantity};
+use crate::scalar::Scalar;
+
+/// Which form.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Form {
+    /// (4.6): one sum over pairs.
+    #[default]
+    Direct,
+    /// (4.3): flux and divergence, two sums. Conserves energy better and sees waves of two
+    /// spacings not at all.
+    Mixed,
+}
+
+/// A convection-diffusion problem and how it is solved, in solver units: mean spacing 1.
+#[derive(Clone, Copy, Debug)]
+pub struct DiffusionDynamics<S, C, B, A, const D: usize, const P: usize> {
+    /// Where the cloud is.
+    pub domain: Domain<S, D>,
+    /// ζ.
+    pub cut_off: C,
+    /// ε, the same for all particles and all times.
+    pub epsilon: S,
+    /// The problem.
+    pub problem: B,
+    /// What the particles follow: the `a` of the equation.
+    pub field: A,
+    /// Direct or mixed.
+    pub form: Form,
+    /// The factor of the stable time step, in (0, 1].
+    pub courant: S,
+}
+
+impl<S, C, B, A, const D: usize, const P: usize> DiffusionDynamics<S, C, B, A, D, P>
+where
+    S: Scalar,
+    C: CutOff,
+    B: DiffusionProblem<S, D, P>,
+    A: VelocityField<S, D>,
+{
+    /// A bound `Λ` of the spectral radius of the right-hand side, of a state whose rates have just
+    /// been made: no explicit method needs more.
+    ///
+    /// Direct form: Gershgorin's circles, `2 max_k Σ_l w_l (b_k + b_l) |bracket_kl|`. Mixed form:
+    /// `max b (κ/ε)²`, `κ = ∫ |∂_1 ζ| dx`. To it comes the bound of the reactions.
+    pub fn radius(&self, state: &State<'_, S, D, P>, work: &DiffusionWorkspace<'_, S, D, P>) -> S {
+        let n = state.len();
+        let largest = match self.form {
+            Form::Direct => {
+                let sums = work.sums.get(..n).unwrap_or(&[]);
+                let circles = sums.iter().map(|settled| settled.sums.radius);
+                let widest = circles.reduce(Scalar::greater).unwrap_or(S::ZERO);
+                widest + widest
+            }
+            Form::Mixed => {
+                let nodes = work.nodes.get(..n).unwrap_or(&[]);
+                let all = nodes.iter().flat_map(|node| node.diffusivity);
+                let conductor = all.reduce(Scalar::greater).unwrap_or(S::ZERO);
+                let kappa = S::from_f64(slope::<C, D>(self.cut_off));
+                conductor * (kappa * kappa)
+            }
+        };
+        largest / self.epsilon / self.epsilon + self.problem.reaction_rate()
+    }
+
+    /// The step to make: `courant reach / Λ`, where an explicit method is stable up to `λ dt =
+    /// -reach`; at most an eighth of `courant / |∇a|`, and at most `longest`.
+    pub fn time_step(&self, radius: S, reach: S, longest: S) -> Result<S, Error> {
+        let mut step = longest;
+        if radius > S::ZERO {
+            step = step.lesser(self.courant * (reach / radius));
+        }
+        let gradient = self.field.gradient();
+        if gradient > S::ZERO {
+            step = step.lesser((self.courant / S::count(8)) / gradient);
+        }
+        if step > S::ZERO {
+            Ok(step)
+        } else {
+            Err(Error::NotFinite {
+                particle: 0,
+                quantity: Quantity::TimeStep,
+            })
+        }
+    }
+
+    /// How far a particle acts: a little more than the support, so that a pair beyond it
+    /// contributes exactly 0.
+    pub(super) fn reach(&self) -> S {
+        let reach = S::count(self.cut_off.support()) * self.epsilon;
+        reach + reach * S::from_f64(1.0 / 64.0)
+    }
+}

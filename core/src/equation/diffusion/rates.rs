@@ -1,0 +1,192 @@
+//! The right-hand sides of (4.3) or (4.6) for a whole cloud.
+
+use super::super::linear::{Place, Register, State, VelocityField};
+use super::direct::Direct;
+use super::dynamics::{DiffusionDynamics, Form};
+use super::mixed::{Divergence, Flux, MixedNode};
+use super::node::DiffusionNode;
+use super::problem::DiffusionProblem;
+use super::storage::DiffusionWorkspace;
+use super::wall::Condition;
+use crate::cutoff::CutOff;
+use crate::error::Error;
+use crate::neighbours::sort;
+use crate::pairs::Engine;
+use crate::scalar::Scalar;
+
+impl<S, C, B, A, const D: usize, const P: usize> DiffusionDynamics<S, C, B, A, D, P>
+where
+    S: Scalar,
+    C: CutOff,
+    B: DiffusionProblem<S, D, P>,
+    A: VelocityField<S, D>,
+{
+    /// Checks a state whose positions, weights and values have been set, makes its strengths, its
+    /// rates and its neighbours. Must run once before the first step.
+    ///
+    /// Errors: arrays of unequal lengths, a weight that is not above 0, a particle without
+    /// neighbours.
+    pub fn prepare(
+        &self,
+        engine: &mut impl Engine<S, D>,
+        state: &mut State<'_, S, D, P>,
+        work: &mut DiffusionWorkspace<'_, S, D, P>,
+    ) -> Result<(), Error> {
+        if !state.is_consistent() {
+            return Err(Error::Lengths);
+        }
+        state.check()?;
+        state.weigh();
+        work.grid = None;
+        self.rates(engine, state, work, S::ZERO)?;
+        let alone = |&neighbours: &S| !(neighbours > S::ZERO);
+        match state.neighbours.iter().position(alone) {
+            Some(particle) if state.len() > 1 => Err(Error::Isolated {
+                particle: particle as u32,
+            }),
+            _ => Ok(()),
+        }
+    }
+
+    /// The rates of all particles at the stage that `state` holds, into `work.last`, in id order:
+    /// of positions and weights as they are, of strengths times ε².
+    pub fn rates(
+        &self,
+        engine: &mut impl Engine<S, D>,
+        state: &mut State<'_, S, D, P>,
+        work: &mut DiffusionWorkspace<'_, S, D, P>,
+        time: S,
+    ) -> Result<(), Error> {
+        let n = state.len();
+        let grid = match work.grid {
+            Some(grid) => grid,
+            None => {
+                let reach = self.reach();
+                let grid = sort(&self.domain, state.position, |_| reach, &mut work.cells)?;
+                engine.sorted();
+                grid
+            }
+        };
+        work.grid = Some(grid);
+        self.show(state, work, time);
+        let cells = work.cells.cells(grid, n);
+        let laws = self.law(time);
+        let (Some(nodes), Some(sums)) = (work.nodes.get_mut(..n), work.sums.get_mut(..n)) else {
+            return Err(Error::Lengths);
+        };
+        match self.form {
+            Form::Direct => {
+                let law = Direct {
+                    cut_off: laws.cut_off,
+                    scale: laws.scale,
+                    height: laws.height,
+                    walls: laws.walls,
+                };
+                engine.sweep(&law, &cells, nodes, sums)?;
+                for (settled, &id) in sums.iter().zip(cells.order()) {
+                    let (rate, partners) = (settled.sums.rate, settled.sums.partners);
+                    self.receive(state, work.last, id, (rate, partners), time);
+                }
+            }
+            Form::Mixed => {
+                let Some(fluxes) = work.fluxes.get_mut(..n) else {
+                    return Err(Error::Lengths);
+                };
+                engine.sweep(&laws, &cells, nodes, fluxes)?;
+                let (Some(shown), Some(sums)) =
+                    (work.mixed.nodes.get_mut(..n), work.mixed.sums.get_mut(..n))
+                else {
+                    return Err(Error::Lengths);
+                };
+                for (shown, settled) in shown.iter_mut().zip(fluxes.iter()) {
+                    let (node, mut flux) = (settled.node, settled.sums.slope);
+                    for (flux, &b) in flux.iter_mut().zip(&node.diffusivity) {
+                        *flux = flux.map(|slope| -(b * slope));
+                    }
+                    *shown = MixedNode { node, flux };
+                }
+                engine.sweep(&Divergence(laws), &cells, shown, sums)?;
+                let rows = sums.iter().zip(fluxes.iter()).zip(cells.order());
+                for ((settled, first), &id) in rows {
+                    let (rate, partners) = (settled.sums.rate, first.sums.partners);
+                    self.receive(state, work.last, id, (rate, partners), time);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The first law of the mixed form, which has what all laws need.
+    fn law(&self, time: S) -> Flux<S, C, D, P> {
+        let inverse_epsilon = S::ONE / self.epsilon;
+        let mut walls = [[[Condition::NoFlux; P]; 2]; D];
+        for (axis, ends) in walls.iter_mut().enumerate() {
+            for (end, conditions) in ends.iter_mut().enumerate() {
+                *conditions = self.problem.wall(axis, end, time);
+            }
+        }
+        Flux {
+            cut_off: self.cut_off,
+            inverse_epsilon,
+            scale: self.cut_off.scale(inverse_epsilon),
+            height: S::from_f64(self.cut_off.normalisation::<D>()) / self.epsilon.powi(D),
+            walls,
+        }
+    }
+
+    /// Nodes, in sorted order.
+    fn show(
+        &self,
+        state: &State<'_, S, D, P>,
+        work: &mut DiffusionWorkspace<'_, S, D, P>,
+        time: S,
+    ) {
+        for (node, &id) in work.nodes.iter_mut().zip(work.cells.order.iter()) {
+            let id = id as usize;
+            let (Some(&position), Some(&weight), Some(&value)) = (
+                state.position.get(id),
+                state.weight.get(id),
+                state.value.get(id),
+            ) else {
+                continue;
+            };
+            *node = DiffusionNode {
+                weight,
+                position,
+                value,
+                diffusivity: self.problem.diffusivity(&Place { position, time }),
+            };
+        }
+    }
+
+    /// Takes the sums of a particle over into its rates.
+    fn receive(
+        &self,
+        state: &mut State<'_, S, D, P>,
+        last: &mut [Register<S, D, P>],
+        id: u32,
+        (rate, partners): ([S; P], S),
+        time: S,
+    ) {
+        let id = id as usize;
+        let (Some(&position), Some(&weight), Some(value), Some(rates)) = (
+            state.position.get(id),
+            state.weight.get(id),
+            state.value.get(id),
+            last.get_mut(id),
+        ) else {
+            return;
+        };
+        let place = Place { position, time };
+        rates.position = self.field.velocity(&place);
+        rates.weight = weight * self.field.divergence(&place);
+        let reaction = self.problem.reaction(&place, value);
+        let squared = self.epsilon * self.epsilon;
+        for ((sum, pairs), f) in rates.strength.iter_mut().zip(rate).zip(reaction) {
+            *sum = pairs + squared * (weight * f);
+        }
+        if let Some(neighbours) = state.neighbours.get_mut(id) {
+            *neighbours = partners - S::ONE;
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! The memory of a convection-diffusion problem.
+
+use heapless::Vec;
+
+use super::super::linear::{Particle, Register, Start, State};
+use super::mixed::{FluxSums, MixedNode};
+use super::node::{DiffusionNode, DiffusionSums};
+use crate::error::{Container, Error};
+use crate::neighbours::{CellBuffers, Grid, Site};
+use crate::pairs::{Fields, Settled};
+use crate::scalar::Scalar;
+
+/// Memory that a step works in. All but `starts` of the cells hold as many as there are
+/// particles; the last two are empty for the direct form.
+pub struct DiffusionWorkspace<'a, S: Scalar, const D: usize, const P: usize> {
+    /// For the search for partners.
+    pub cells: CellBuffers<'a, S, D>,
+    /// The geometry of the cells, while the particles have not moved.
+    pub grid: Option<Grid<S, D>>,
+    /// Nodes, in sorted order.
+    pub nodes: &'a mut [DiffusionNode<S, D, P>],
+    /// Sums over pairs of the direct form, in sorted order.
+    pub sums: &'a mut [Settled<DiffusionNode<S, D, P>, DiffusionSums<S, P>>],
+    /// The state at the start of a step.
+    pub start: &'a mut [Start<S, D, P>],
+    /// The rates that were made last.
+    pub last: &'a mut [Register<S, D, P>],
+    /// The weighted sum of the rates of a step.
+    pub sum: &'a mut [Register<S, D, P>],
+    /// For the stabilised method: rates of the first stage, and the increments of the two before.
+    pub stages: &'a mut [[[S; P]; 3]],
+    /// Sums of the first pass of the mixed form.
+    pub fluxes: &'a mut [Settled<DiffusionNode<S, D, P>, FluxSums<S, D, P>>],
+    /// Nodes and sums of its second pass.
+    pub mixed: MixedWorkspace<'a, S, D, P>,
+}
+
+/// Memory of the second pass of the mixed form.
+pub struct MixedWorkspace<'a, S: Scalar, const D: usize, const P: usize> {
+    /// Nodes, in sorted order.
+    pub nodes: &'a mut [MixedNode<S, D, P>],
+    /// Sums, in sorted order.
+    pub sums: &'a mut [Settled<MixedNode<S, D, P>, DiffusionSums<S, P>>],
+}
+
+/// A problem of at most `N` particles on at most `C - 1` cells, with its workspace for both
+/// forms, in one piece of memory without a heap.
+///
+/// `C` must exceed [`cell_bound`](crate::neighbours::cell_bound)`(N)`; a `static` one costs no
+/// stack.
+pub struct DiffusionStorage<
+    S: Scalar,
+    const D: usize,
+    const P: usize,
+    const N: usize,
+    const C: usize,
+> {
+    position: Vec<[S; D], N>,
+    weight: Vec<S, N>,
+    value: Vec<[S; P], N>,
+    strength: Vec<[S::Wide; P], N>,
+    start: Vec<Start<S, D, P>, N>,
+    neighbours: [S; N],
+    sites: [Site<S, D>; N],
+    order: [u32; N],
+    cell_of: [u32; N],
+    starts: [u32; C],
+    nodes: [DiffusionNode<S, D, P>; N],
+    sums: [Settled<DiffusionNode<S, D, P>, DiffusionSums<S, P>>; N],
+    last: [Register<S, D, P>; N],
+    sum: [Register<S, D, P>; N],
+    stages: [[[S; P]; 3]; N],
+    fluxes: [Settled<DiffusionNode<S, D, P>, FluxSums<S, D, P>>; N],
+    mixed_nodes: [MixedNode<S, D, P>; N],
+    mixed_sums: [Settled<MixedNode<S, D, P>, DiffusionSums<S, P>>; N],
+}
+
+impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize> Default
+    for DiffusionStorage<S, D, P, N, C>
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
+    DiffusionStorage<S, D, P, N, C>
+{
+    /// An empty cloud.
+    pub const fn new() -> Self {
+        Self {
+            position: Vec::new(),
+            weight: Vec::new(),
+            value: Vec::new(),
+            strength: Vec::new(),
+            start: Vec::new(),
+            neighbours: [S::ZERO; N],
+            sites: [Site::EMPTY; N],
+            order: [0; N],
+            cell_of: [0; N],
+            starts: [0; C],
+            nodes: [DiffusionNode::ZERO; N],
+            sums: [Settled::new(DiffusionNode::ZERO, DiffusionSums::ZERO); N],
+            last: [Register::ZERO; N],
+            sum: [Register::ZERO; N],
+            stages: [[[S::ZERO; P]; 3]; N],
+            fluxes: [Settled::new(DiffusionNode::ZERO, FluxSums::ZERO); N],
+            mixed_nodes: [MixedNode::ZERO; N],
+            mixed_sums: [Settled::new(MixedNode::ZERO, DiffusionSums::ZERO); N],
+        }
+    }
+
+    /// Adds a particle; its id is the number of particles before it. Error: no room.
+    pub fn push(&mut self, particle: Particle<S, D, P>) -> Result<(), Error> {
+        let full = Error::Capacity {
+            container: Container::Particles,
+            needed: self.weight.len() as u32 + 1,
+            capacity: N as u32,
+        };
+        let strength = particle.value.map(|u| S::product(particle.weight, u));
+        let start = Start {
+            position: particle.position,
+            weight: particle.weight,
+            strength,
+        };
+        self.position.push(particle.position).map_err(|_| full)?;
+        self.weight.push(particle.weight).map_err(|_| full)?;
+        self.value.push(particle.value).map_err(|_| full)?;
+        self.strength.push(strength).map_err(|_| full)?;
+        self.start.push(start).map_err(|_| full)
+    }
+
+    /// The state and the workspace, as the solver takes them.
+    pub fn parts(&mut self) -> (State<'_, S, D, P>, DiffusionWorkspace<'_, S, D, P>) {
+        let n = self.weight.len();
+        let state = State {
+            position: &mut self.position,
+            weight: &mut self.weight,
+            strength: &mut self.strength,
+            value: &mut self.value,
+            neighbours: self.neighbours.get_mut(..n).unwrap_or(&mut []),
+        };
+        let work = DiffusionWorkspace {
+            cells: CellBuffers {
+                sites: &mut self.sites,
+                order: &mut self.order,
+                cell_of: &mut self.cell_of,
+                starts: &mut self.starts,
+            },
+            grid: None,
+            nodes: &mut self.nodes,
+            sums: &mut self.sums,
+            start: &mut self.start,
+            last: &mut self.last,
+            sum: &mut self.sum,
+            stages: &mut self.stages,
+            fluxes: &mut self.fluxes,
+            mixed: MixedWorkspace {
+                nodes: &mut self.mixed_nodes,
+                sums: &mut self.mixed_sums,
+            },
+        };
+        (state, work)
+    }
+}

@@ -1,0 +1,65 @@
+//! The three registers of a Runge-Kutta step over a cloud of strengths.
+
+use crate::domain::Domain;
+use crate::equation::linear::{Register, Start, State};
+use crate::error::Error;
+use crate::scalar::Scalar;
+
+/// Remembers a state as the start of a step and empties the sum of its rates.
+pub(super) fn remember<S: Scalar, const D: usize, const P: usize>(
+    state: &State<'_, S, D, P>,
+    start: &mut [Start<S, D, P>],
+    sum: &mut [Register<S, D, P>],
+) -> Result<(), Error> {
+    let n = state.len();
+    let (Some(start), Some(sum)) = (start.get_mut(..n), sum.get_mut(..n)) else {
+        return Err(Error::Lengths);
+    };
+    sum.fill(Register::ZERO);
+    let rows = start.iter_mut().zip(state.position.iter());
+    let rows = rows.zip(state.weight.iter());
+    for (((start, &position), &weight), &strength) in rows.zip(state.strength.iter()) {
+        *start = Start {
+            position,
+            weight,
+            strength,
+        };
+    }
+    Ok(())
+}
+
+/// Adds `n` times the last rates to the sum.
+pub(super) fn accumulate<S: Scalar, const D: usize, const P: usize>(
+    sum: &mut [Register<S, D, P>],
+    last: &[Register<S, D, P>],
+    n: u32,
+) {
+    for (sum, last) in sum.iter_mut().zip(last) {
+        sum.add(n, last);
+    }
+}
+
+/// Puts a state at the start of its step plus `dt` times some rates; those of strengths, which
+/// are carried times a power of ε, times `per_power` (rates times `1/ε` would lose digits).
+pub(super) fn put<S: Scalar, const D: usize, const P: usize>(
+    state: &mut State<'_, S, D, P>,
+    (start, rates): (&[Start<S, D, P>], &[Register<S, D, P>]),
+    moved: Option<(&Domain<S, D>, S)>,
+    per_power: S,
+) -> Result<(), Error> {
+    for (id, (start, rates)) in start.iter().zip(rates).enumerate() {
+        let Some(row) = state.row(id) else { break };
+        if let Some((domain, dt)) = moved {
+            *row.position = start.position;
+            let step = rates.position.map(|a| dt * a);
+            domain.drift(row.position, &step, id as u32)?;
+            *row.weight = start.weight + dt * rates.weight;
+        }
+        let components = row.strength.iter_mut().zip(&start.strength);
+        for ((strength, &q), &rate) in components.zip(&rates.strength) {
+            *strength = S::wide_sum(q, S::product(per_power, rate));
+        }
+        row.revalue();
+    }
+    Ok(())
+}

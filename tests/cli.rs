@@ -1,36 +1,12 @@
 //! The command line as a user and a script meet it.
 
+mod command;
+
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Command;
 
+use command::{failure, stdout};
 use serde_json::Value;
-
-fn motes(folder: &Path, arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_motes"));
-    command
-        .current_dir(folder)
-        .args(arguments)
-        .output()
-        .unwrap()
-}
-
-/// Standard output of a call that must succeed.
-fn stdout(folder: &Path, arguments: &[&str]) -> String {
-    let output = motes(folder, arguments);
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{arguments:?}: {errors}");
-    String::from_utf8(output.stdout).unwrap()
-}
-
-/// Standard error of a call that must fail with that code. Nothing is left behind.
-fn failure(folder: &Path, arguments: &[&str], code: i32) -> String {
-    let output = motes(folder, arguments);
-    let errors = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {errors}");
-    assert_eq!(output.stdout, b"", "{arguments:?}");
-    assert!(!errors.contains("panicked"), "{errors}");
-    errors
-}
 
 #[test]
 fn json_is_one_object_with_the_documented_keys_and_nothing_else() {

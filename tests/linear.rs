@@ -68,7 +68,8 @@ fn every_system_keeps_its_tolerance_in_f64_and_f32() {
     assert_eq!(all.len(), 11);
     for scenario in all {
         assert!(!scenario.tolerances.is_empty(), "{}", scenario.name);
-        for scalar in ["f64", "f32"] {
+        // f32: positions are rounded to 3e-5 spacings at a distance of 512.
+        for (scalar, room) in [("f64", 1.0), ("f32", 1.05)] {
             let experiment = experiment(scenario.clone(), scalar, 2).unwrap();
             let errors = experiment.errors.unwrap();
             for tolerance in &scenario.tolerances {
@@ -78,7 +79,7 @@ fn every_system_keeps_its_tolerance_in_f64_and_f32() {
                     Measured::Component(i) => &experiment.plan.names[i],
                 };
                 let error = errors[field].of(tolerance.norm);
-                let (name, bound) = (&scenario.name, tolerance.value);
+                let (name, bound) = (&scenario.name, room * tolerance.value);
                 assert!(
                     error <= bound,
                     "{name} in {scalar}: {field} {error} > {bound}"
@@ -209,13 +210,15 @@ fn what_cannot_be_run_is_refused_with_its_reason() {
     run("acoustics1d", "f64", 1, &[&below]);
     let alone = refused(&["cut-off.epsilon=1e-4"]);
     assert!(alone.to_string().contains("sees no neighbour"), "{alone}");
-    let Err(in_plane) = experiment(scenario("maxwell-te", &[]), "q12.19", 1) else {
+}
+
+#[cfg(feature = "every-scalar")]
+#[test]
+fn fixed_point_in_the_plane_is_refused_with_its_reason() {
+    let Err(error) = experiment(scenario("maxwell-te", &[]), "q12.19", 1) else {
         panic!("fixed point is for one dimension");
     };
-    assert!(
-        in_plane.to_string().contains("does not run in"),
-        "{in_plane}"
-    );
+    assert!(error.to_string().contains("does not run in"), "{error}");
 }
 
 #[test]
@@ -277,16 +280,19 @@ fn a_system_given_by_matrices_is_solved() {
 /// All quadratures integrate: weights add up to the domain, and acoustics converges on each.
 #[test]
 fn every_quadrature_carries_a_solution() {
-    for (arrangement, bound) in [
-        ("lattice", 3e-5),
-        ("distorted", 6e-5),
-        ("low-discrepancy", 0.3),
+    // Measured 1.1e-5, 1.2e-5 and 0.18. A sequence of low discrepancy needs a wide cut-off: with
+    // eta = 1 its gradients are so far off that the run is stopped.
+    for (arrangement, eta, bound) in [
+        ("lattice", "cut-off.eta=1", 3e-5),
+        ("distorted", "cut-off.eta=1", 3e-5),
+        ("low-discrepancy", "cut-off.eta=3", 0.25),
     ] {
         let arrangement = format!("resolution.arrangement={arrangement}");
         let changes = [
             "resolution.particles=400",
             "cut-off.name=smooth-4",
-            "cut-off.eta=1.0",
+            "motion.kind=still",
+            eta,
             &arrangement,
         ];
         let scenario = scenario("acoustics1d", &changes);
@@ -296,4 +302,49 @@ fn every_quadrature_carries_a_solution() {
         let error = errors("acoustics1d", "f64", &changes)["state"].of(Norm::L2);
         assert!(error < bound, "{arrangement}: {error}");
     }
+}
+
+/// Points, weights and states from a file are those of the run that wrote them: the same bits.
+#[test]
+fn a_cloud_from_a_file_is_the_cloud_that_was_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let few = ["resolution.particles=64"];
+    let lattice = scenario("acoustics1d", &few);
+    let plan = Plan::new(&lattice).unwrap();
+    let length = plan.units.length;
+    let mut text = "position,weight,pressure,velocity_x\n".to_owned();
+    for (k, x) in plan.positions.iter().enumerate() {
+        let place = plan.middle[0] + x[0] * length;
+        let weight = plan.weights[k] * length;
+        let [p, v] = plan.values[2 * k..2 * k + 2] else {
+            panic!("two components");
+        };
+        text += &format!("{place},{weight},{p},{v}\n");
+    }
+    std::fs::write(folder.path().join("cloud.csv"), &text).unwrap();
+    let file = folder.path().join("own.toml");
+    let own = lattice
+        .text
+        .replace("particles = 64", "file = \"cloud.csv\"")
+        .replace("arrangement = \"lattice\"", "arrangement = \"file\"");
+    let (head, tail) = own.split_once("[initial]").unwrap();
+    let (_, tail) = tail.split_once("[resolution]").unwrap();
+    let own = format!("{head}[resolution]{tail}").replace("exact = \"initial\"", "");
+    let own = own.split("[tolerance").next().unwrap();
+    std::fs::write(&file, own).unwrap();
+    let read = scenario(&file.display().to_string(), &[]);
+    let from_file = experiment(read, "f64", 1).unwrap().outcome;
+    assert_eq!(from_file.digest, run("acoustics1d", "f64", 1, &few).digest);
+
+    std::fs::write(
+        folder.path().join("cloud.csv"),
+        text.replacen(",1,", ",-1,", 1),
+    )
+    .unwrap();
+    let broken = experiment(scenario(&file.display().to_string(), &[]), "f64", 1);
+    let message = format!("{:?}", miette::Report::new(broken.err().unwrap()));
+    assert!(
+        message.contains("weight") || message.contains("cloud.csv"),
+        "{message}"
+    );
 }

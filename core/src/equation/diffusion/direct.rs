@@ -1,0 +1,84 @@
+//! The direct form (4.6): one symmetric pair operator.
+
+use crate::cutoff::CutOff;
+use crate::domain::Wall;
+use crate::pairs::Law;
+use crate::scalar::{Number, Scalar};
+
+use super::node::{DiffusionNode, DiffusionSums};
+use super::wall::Condition;
+
+/// `dq_k/dt = Σ_l w_k w_l (b_k + b_l)(u_l - u_k) ∇ζ_kl·(x_l - x_k)/|x_l - x_k|²` (4.6), one ε.
+///
+/// Differs from the paper: as printed (4.6) adds the operator (4.5) to the left-hand side; it
+/// approximates `+div(b ∇u)` and belongs on the right. For a radial cut-off the bracket is
+/// `-σ ε^-(D+2) F(q)` and needs no division; ε² is taken out, so that no number is small.
+#[derive(Clone, Copy, Debug)]
+pub struct Direct<S, C, const D: usize, const P: usize> {
+    /// ζ.
+    pub cut_off: C,
+    /// What turns `|r|` into the argument of the cut-off.
+    pub scale: S,
+    /// `σ ε^-D`.
+    pub height: S,
+    /// What holds at the walls, by direction and end.
+    pub walls: [[[Condition<S>; P]; 2]; D],
+}
+
+impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Direct<S, C, D, P> {
+    type Node = DiffusionNode<S, D, P>;
+    type Sums = DiffusionSums<S, P>;
+
+    #[inline(always)]
+    fn pair<N: Number<Scalar = S>>(
+        &self,
+        k: &DiffusionNode<N, D, P>,
+        l: &DiffusionNode<N, D, P>,
+        _: &[N; D],
+        distance_squared: N,
+        to_k: &mut DiffusionSums<N, P>,
+        to_l: &mut DiffusionSums<N, P>,
+    ) {
+        let a = self.cut_off.argument(distance_squared) * N::splat(self.scale);
+        let bracket = -(N::splat(self.height) * self.cut_off.gradient::<D, N>(a));
+        let factor = (k.weight * l.weight) * bracket;
+        let mut largest = N::zero();
+        for j in 0..P {
+            let b = k.diffusivity[j] + l.diffusivity[j];
+            let term = factor * (b * (l.value[j] - k.value[j]));
+            to_k.rate[j] += term;
+            to_l.rate[j] -= term;
+            largest = largest.max(b);
+        }
+        // From order 4 on the bracket has both signs.
+        let size = bracket.max(-bracket) * largest;
+        to_k.radius += l.weight * size;
+        to_l.radius += k.weight * size;
+        let near = a.below(N::splat(self.cut_off.edge()));
+        to_k.partners += near;
+        to_l.partners += near;
+    }
+
+    fn reflected(&self, node: &DiffusionNode<S, D, P>, wall: &Wall<S>) -> DiffusionNode<S, D, P> {
+        imaged(node, wall, &self.walls)
+    }
+}
+
+/// A node as it is seen behind a wall.
+pub(super) fn imaged<S: Scalar, const D: usize, const P: usize>(
+    node: &DiffusionNode<S, D, P>,
+    wall: &Wall<S>,
+    walls: &[[[Condition<S>; P]; 2]; D],
+) -> DiffusionNode<S, D, P> {
+    let mut image = *node;
+    let conditions = walls.get(wall.axis).and_then(|ends| ends.get(wall.end));
+    let place = node.position.get(wall.axis);
+    if let (Some(conditions), Some(&x)) = (conditions, place) {
+        let distance = (x - wall.position).abs();
+        let species = image.value.iter_mut().zip(&node.diffusivity);
+        for ((u, &b), condition) in species.zip(conditions) {
+            *u = condition.image(*u, b, distance);
+        }
+    }
+    image
+}

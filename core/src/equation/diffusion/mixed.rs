@@ -1,0 +1,233 @@
+//! The mixed form (4.3): the flux of each particle, then its divergence.
+
+use crate::cutoff::CutOff;
+use crate::domain::Wall;
+use crate::pairs::{Fields, Law};
+use crate::scalar::{Number, Scalar};
+
+use super::direct::imaged;
+use super::node::{DiffusionNode, DiffusionSums};
+use super::wall::Condition;
+
+/// What a particle shows in the second pass: also its flux.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MixedNode<N, const D: usize, const P: usize> {
+    /// As in the first pass.
+    pub node: DiffusionNode<N, D, P>,
+    /// `ε p = -ε b ∇u` of each species.
+    pub flux: [[N; D]; P],
+}
+
+/// `Σ_l w_l (u_l - u_k) ε ∇ζ_kl`, and partners.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FluxSums<N, const D: usize, const P: usize> {
+    /// Of each species.
+    pub slope: [[N; D]; P],
+    /// Particles within the support, itself among them.
+    pub partners: N,
+}
+
+/// The first pass of (4.3): `p_k = -b_k Σ_l w_l (u_l - u_k) ∇ζ_kl`.
+#[derive(Clone, Copy, Debug)]
+pub struct Flux<S, C, const D: usize, const P: usize> {
+    /// ζ.
+    pub cut_off: C,
+    /// `1/ε`.
+    pub inverse_epsilon: S,
+    /// What turns `|r|` into the argument of the cut-off.
+    pub scale: S,
+    /// `σ ε^-D`.
+    pub height: S,
+    /// What holds at the walls, by direction and end.
+    pub walls: [[[Condition<S>; P]; 2]; D],
+}
+
+/// The second pass: `dq_k/dt = -Σ_l w_k w_l (p_k + p_l)·∇ζ_kl`.
+#[derive(Clone, Copy, Debug)]
+pub struct Divergence<S, C, const D: usize, const P: usize>(pub Flux<S, C, D, P>);
+
+impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Flux<S, C, D, P> {
+    /// `ε ∇ζ_kl`.
+    #[inline(always)]
+    fn gradient<N: Number<Scalar = S>>(&self, r: &[N; D], distance_squared: N) -> ([N; D], N) {
+        let a = self.cut_off.argument(distance_squared) * N::splat(self.scale);
+        let factor = N::splat(self.height) * self.cut_off.gradient::<D, N>(a);
+        let mut gradient = *r;
+        for i in 0..D {
+            gradient[i] = factor * (r[i] * N::splat(self.inverse_epsilon));
+        }
+        (gradient, a.below(N::splat(self.cut_off.edge())))
+    }
+}
+
+impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Flux<S, C, D, P> {
+    type Node = DiffusionNode<S, D, P>;
+    type Sums = FluxSums<S, D, P>;
+
+    #[inline(always)]
+    fn pair<N: Number<Scalar = S>>(
+        &self,
+        k: &DiffusionNode<N, D, P>,
+        l: &DiffusionNode<N, D, P>,
+        r: &[N; D],
+        distance_squared: N,
+        to_k: &mut FluxSums<N, D, P>,
+        to_l: &mut FluxSums<N, D, P>,
+    ) {
+        let (gradient, near) = self.gradient(r, distance_squared);
+        for j in 0..P {
+            let difference = l.value[j] - k.value[j];
+            for i in 0..D {
+                let term = difference * gradient[i];
+                // Both signs change from the other side: the slope is the same.
+                to_k.slope[j][i] += l.weight * term;
+                to_l.slope[j][i] += k.weight * term;
+            }
+        }
+        to_k.partners += near;
+        to_l.partners += near;
+    }
+
+    fn reflected(&self, node: &DiffusionNode<S, D, P>, wall: &Wall<S>) -> DiffusionNode<S, D, P> {
+        imaged(node, wall, &self.walls)
+    }
+}
+
+impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Divergence<S, C, D, P> {
+    type Node = MixedNode<S, D, P>;
+    type Sums = DiffusionSums<S, P>;
+
+    #[inline(always)]
+    fn pair<N: Number<Scalar = S>>(
+        &self,
+        k: &MixedNode<N, D, P>,
+        l: &MixedNode<N, D, P>,
+        r: &[N; D],
+        distance_squared: N,
+        to_k: &mut DiffusionSums<N, P>,
+        to_l: &mut DiffusionSums<N, P>,
+    ) {
+        let (gradient, _) = self.0.gradient(r, distance_squared);
+        let weights = k.node.weight * l.node.weight;
+        for j in 0..P {
+            let mut sum = k.flux[j];
+            for i in 0..D {
+                sum[i] = k.flux[j][i] + l.flux[j][i];
+            }
+            let term = weights * N::dot(&sum, &gradient);
+            to_k.rate[j] -= term;
+            to_l.rate[j] += term;
+        }
+    }
+
+    fn reflected(&self, node: &MixedNode<S, D, P>, wall: &Wall<S>) -> MixedNode<S, D, P> {
+        let mut image = MixedNode {
+            node: imaged(&node.node, wall, &self.0.walls),
+            flux: node.flux,
+        };
+        let conditions = self.0.walls.get(wall.axis).and_then(|ends| ends.get(wall.end));
+        let place = node.node.position.get(wall.axis);
+        let (Some(conditions), Some(&x)) = (conditions, place) else {
+            return image;
+        };
+        let distance = (x - wall.position).abs();
+        // Fluxes are ε times theirs, and conditions count outwards.
+        let epsilon = S::ONE / self.0.inverse_epsilon;
+        let species = image.flux.iter_mut().zip(conditions);
+        let nodes = node.node.value.iter().zip(&node.node.diffusivity);
+        for ((flux, condition), (&u, &b)) in species.zip(nodes) {
+            if let Some(component) = flux.get_mut(wall.axis) {
+                let outwards = if wall.end == 0 { -*component } else { *component };
+                let seen = condition.flux_image(outwards / epsilon, u, b, distance);
+                let seen = epsilon * seen;
+                *component = if wall.end == 0 { -seen } else { seen };
+            }
+        }
+        image
+    }
+}
+
+impl<S: Scalar, const D: usize, const P: usize> Fields<S> for MixedNode<S, D, P> {
+    type Of<N: Number<Scalar = S>> = MixedNode<N, D, P>;
+    const ZERO: Self = Self {
+        node: DiffusionNode::ZERO,
+        flux: [[S::ZERO; D]; P],
+    };
+
+    #[inline(always)]
+    fn splat<N: Number<Scalar = S>>(&self) -> MixedNode<N, D, P> {
+        MixedNode {
+            node: self.node.splat(),
+            flux: self.flux.map(|flux| flux.map(N::splat)),
+        }
+    }
+    #[inline(always)]
+    fn gather<'a, N: Number<Scalar = S>>(
+        records: impl Iterator<Item = &'a Self>,
+    ) -> MixedNode<N, D, P>
+    where
+        Self: 'a,
+    {
+        let mut of = Self::ZERO.splat::<N>();
+        // There are at most 16 lanes.
+        let mut nodes = [DiffusionNode::ZERO; 16];
+        for (i, (record, node)) in records.take(N::LANES).zip(&mut nodes).enumerate() {
+            *node = record.node;
+            for j in 0..P {
+                for m in 0..D {
+                    of.flux[j][m].set_lane(i, record.flux[j][m]);
+                }
+            }
+        }
+        of.node = DiffusionNode::gather(nodes.iter());
+        of
+    }
+    #[inline(always)]
+    fn lane<N: Number<Scalar = S>>(of: &MixedNode<N, D, P>, i: usize) -> Self {
+        Self {
+            node: DiffusionNode::lane(&of.node, i),
+            flux: core::array::from_fn(|j| core::array::from_fn(|m| of.flux[j][m].lane(i))),
+        }
+    }
+}
+
+impl<S: Scalar, const D: usize, const P: usize> Fields<S> for FluxSums<S, D, P> {
+    type Of<N: Number<Scalar = S>> = FluxSums<N, D, P>;
+    const ZERO: Self = Self {
+        slope: [[S::ZERO; D]; P],
+        partners: S::ZERO,
+    };
+
+    #[inline(always)]
+    fn splat<N: Number<Scalar = S>>(&self) -> FluxSums<N, D, P> {
+        FluxSums {
+            slope: self.slope.map(|slope| slope.map(N::splat)),
+            partners: N::splat(self.partners),
+        }
+    }
+    #[inline(always)]
+    fn gather<'a, N: Number<Scalar = S>>(
+        records: impl Iterator<Item = &'a Self>,
+    ) -> FluxSums<N, D, P>
+    where
+        Self: 'a,
+    {
+        let mut of = Self::ZERO.splat::<N>();
+        for (i, record) in records.take(N::LANES).enumerate() {
+            of.partners.set_lane(i, record.partners);
+            for j in 0..P {
+                for m in 0..D {
+                    of.slope[j][m].set_lane(i, record.slope[j][m]);
+                }
+            }
+        }
+        of
+    }
+    #[inline(always)]
+    fn lane<N: Number<Scalar = S>>(of: &FluxSums<N, D, P>, i: usize) -> Self {
+        Self {
+            slope: core::array::from_fn(|j| core::array::from_fn(|m| of.slope[j][m].lane(i))),
+            partners: of.partners.lane(i),
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! What a convection-diffusion problem has to say.
+
+use super::super::linear::Place;
+use super::wall::Condition;
+use crate::scalar::Scalar;
+
+/// `∂u/∂t + div(a u) - div(b ∇u) = f(x, t, u)`, for each of `P` species; what is common to them is
+/// `a`, which the particles follow.
+pub trait DiffusionProblem<S: Scalar, const D: usize, const P: usize>: Sync {
+    /// `b(x,t)` of each species, >= 0, length²/time.
+    fn diffusivity(&self, place: &Place<S, D>) -> [S; P];
+
+    /// `f(x,t,u)`: sources, decay, reactions.
+    fn reaction(&self, place: &Place<S, D>, u: &[S; P]) -> [S; P] {
+        let _ = (place, u);
+        [S::ZERO; P]
+    }
+
+    /// A bound of the `|eigenvalues|` of `∂f/∂u`: it limits the step.
+    fn reaction_rate(&self) -> S {
+        S::ZERO
+    }
+
+    /// What holds at the lower (`end` = 0) or upper (1) wall across direction `axis`.
+    fn wall(&self, axis: usize, end: usize, time: S) -> [Condition<S>; P] {
+        let _ = (axis, end, time);
+        [Condition::NoFlux; P]
+    }
+}
+
+/// Heat with the same conductivity everywhere, between walls that let nothing through.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Heat<S> {
+    /// `b`.
+    pub diffusivity: S,
+}
+
+impl<S: Scalar, const D: usize> DiffusionProblem<S, D, 1> for Heat<S> {
+    fn diffusivity(&self, _: &Place<S, D>) -> [S; 1] {
+        [self.diffusivity]
+    }
+}

@@ -1,0 +1,72 @@
+//! What holds at a wall, as what is seen behind it.
+
+use crate::scalar::Scalar;
+
+/// A boundary condition. `n` points out of the domain; a flux is `-b ∂u/∂n`, positive outwards.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Condition<S> {
+    /// Nothing passes: `∂u/∂n = 0`. The sums of the strengths are conserved.
+    NoFlux,
+    /// `u` is this.
+    Value(S),
+    /// The flux is this.
+    Flux(S),
+    /// The flux is `rate (u - outside)`: Robin's condition. `rate`: length/time, >= 0.
+    Exchange {
+        /// How well the wall conducts.
+        rate: S,
+        /// `u` beyond it.
+        outside: S,
+    },
+}
+
+impl<S: Scalar> Condition<S> {
+    /// `u` at the wall, where a particle at `distance` from it has `u` and diffusivity `b`: the
+    /// straight line that meets the condition.
+    fn at_wall(&self, u: S, b: S, distance: S) -> S {
+        match *self {
+            Self::NoFlux => u,
+            Self::Value(value) => value,
+            Self::Flux(flux) => {
+                if b > S::ZERO {
+                    u - flux * (distance / b)
+                } else {
+                    u
+                }
+            }
+            Self::Exchange { rate, outside } => {
+                // The two resistances in a row: of the layer, d/b, and of the wall, 1/rate.
+                let conductance = rate * distance;
+                let sum = b + conductance;
+                if sum > S::ZERO {
+                    (b * u + conductance * outside) / sum
+                } else {
+                    u
+                }
+            }
+        }
+    }
+
+    /// `u` of the mirror image: on the same straight line, `2 u_wall - u`.
+    ///
+    /// Exact for a linear `u`. For a curved one off by O(d²) with a value, and by O(d³) with a
+    /// flux.
+    pub(super) fn image(&self, u: S, b: S, distance: S) -> S {
+        let wall = self.at_wall(u, b, distance);
+        wall + (wall - u)
+    }
+
+    /// The normal component of the flux of the mirror image, from that of the particle.
+    pub(super) fn flux_image(&self, flux: S, u: S, b: S, distance: S) -> S {
+        let through = match *self {
+            Self::NoFlux => S::ZERO,
+            // A temperature that is held says nothing of the flux: it goes on.
+            Self::Value(_) => return flux,
+            Self::Flux(flux) => flux,
+            Self::Exchange { rate, outside } => {
+                rate * (self.at_wall(u, b, distance) - outside)
+            }
+        };
+        (through + through) - flux
+    }
+}

@@ -104,13 +104,25 @@ where
 /// Acoustics to its end; the digest of its last state.
 pub fn acoustics<S: Scalar>(storage: &mut Storage<S>) -> Result<u64, Error> {
     use acoustics::{CUT_OFF, LINE, METHOD, motion, system};
-    Run::new(storage, &LINE, (CUT_OFF, system(), motion()), METHOD)?.complete()
+    Run::new(
+        storage,
+        &LINE,
+        (CUT_OFF, system::<S>(), motion::<S>()),
+        METHOD,
+    )?
+    .complete()
 }
 
 /// The telegraph line to its end; the digest of its last state.
 pub fn telegraph<S: Scalar>(storage: &mut Storage<S>) -> Result<u64, Error> {
     use telegraph::{CUT_OFF, LINE, METHOD, motion, system};
-    Run::new(storage, &LINE, (CUT_OFF, system(), motion()), METHOD)?.complete()
+    Run::new(
+        storage,
+        &LINE,
+        (CUT_OFF, system::<S>(), motion::<S>()),
+        METHOD,
+    )?
+    .complete()
 }
 
 /// Runs both lines in one scalar, one after the other in the same memory, and prints their lines.

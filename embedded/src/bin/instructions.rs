@@ -81,7 +81,12 @@ fn count<S: Scalar>(
     method: RungeKutta,
     stopwatch: &Stopwatch,
 ) -> Result<Steps, Error> {
-    let mut run = Run::new(storage, &LINE, (CUT_OFF, system(), motion()), method)?;
+    let mut run = Run::new(
+        storage,
+        &LINE,
+        (CUT_OFF, system::<S>(), motion::<S>()),
+        method,
+    )?;
     let mut steps = Steps {
         first: 0,
         longest: 0,

@@ -54,8 +54,8 @@ pub fn line(name: &str, plan: &Plan, command: &str) -> Result<String, NoLine> {
 use motes_core::cutoff::Named as CutOff;
 use motes_core::domain::Side;
 use motes_core::equation::linear::systems::{{{system_name}, Units}};
-use motes_core::equation::linear::{{Line, Particle, {motion_name}}};
-use motes_core::integrator::{{{method}, RungeKutta}};
+use motes_core::equation::linear::{{{cloud}}};
+use motes_core::integrator::{{{integrator}}};
 use motes_core::scalar::Scalar;
 
 /// The name of the scenario.
@@ -93,6 +93,8 @@ pub const LINE: Line<'static, {components}> = Line {{
         system_name = system.name,
         system_types = system.types,
         system_call = system.call,
+        cloud = sorted(["Line", "Particle", motion.name]),
+        integrator = sorted(["RungeKutta", &method(plan)]),
         motion_name = motion.name,
         motion_types = motion.types,
         motion_call = motion.call,
@@ -122,6 +124,12 @@ pub const LINE: Line<'static, {components}> = Line {{
         plan.epsilon, plan.courant, plan.step, plan.end
     );
     Ok(text)
+}
+
+/// A list of imports, as rustfmt has it.
+fn sorted<const N: usize>(mut names: [&str; N]) -> String {
+    names.sort_unstable();
+    names.join(", ")
 }
 
 /// The name of the method in the core.

@@ -13,6 +13,7 @@ mod quadrature;
 mod run;
 mod scalars;
 mod solution;
+mod systems;
 
 pub use comparison::{RECONSTRUCTION, STATE, errors};
 pub use experiment::Experiment;

@@ -1,12 +1,10 @@
 //! The memory of a convection-diffusion problem.
 
-use heapless::Vec;
-
-use super::super::linear::{Particle, Register, Start, State};
+use super::super::linear::{CloudStorage, Particle, Register, Start, State};
 use super::mixed::{FluxSums, MixedNode};
 use super::node::{DiffusionNode, DiffusionSums};
-use crate::error::{Container, Error};
-use crate::neighbours::{CellBuffers, Grid, Site};
+use crate::error::Error;
+use crate::neighbours::{CellBuffers, Grid};
 use crate::pairs::{Fields, Settled};
 use crate::scalar::Scalar;
 
@@ -55,16 +53,7 @@ pub struct DiffusionStorage<
     const N: usize,
     const C: usize,
 > {
-    position: Vec<[S; D], N>,
-    weight: Vec<S, N>,
-    value: Vec<[S; P], N>,
-    strength: Vec<[S::Wide; P], N>,
-    start: Vec<Start<S, D, P>, N>,
-    neighbours: [S; N],
-    sites: [Site<S, D>; N],
-    order: [u32; N],
-    cell_of: [u32; N],
-    starts: [u32; C],
+    cloud: CloudStorage<S, D, P, N, C>,
     nodes: [DiffusionNode<S, D, P>; N],
     sums: [Settled<DiffusionNode<S, D, P>, DiffusionSums<S, P>>; N],
     last: [Register<S, D, P>; N],
@@ -89,16 +78,7 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
     /// An empty cloud.
     pub const fn new() -> Self {
         Self {
-            position: Vec::new(),
-            weight: Vec::new(),
-            value: Vec::new(),
-            strength: Vec::new(),
-            start: Vec::new(),
-            neighbours: [S::ZERO; N],
-            sites: [Site::EMPTY; N],
-            order: [0; N],
-            cell_of: [0; N],
-            starts: [0; C],
+            cloud: CloudStorage::new(),
             nodes: [DiffusionNode::ZERO; N],
             sums: [Settled::new(DiffusionNode::ZERO, DiffusionSums::ZERO); N],
             last: [Register::ZERO; N],
@@ -112,45 +92,23 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
 
     /// Adds a particle; its id is the number of particles before it. Error: no room.
     pub fn push(&mut self, particle: Particle<S, D, P>) -> Result<(), Error> {
-        let full = Error::Capacity {
-            container: Container::Particles,
-            needed: self.weight.len() as u32 + 1,
-            capacity: N as u32,
-        };
-        let strength = particle.value.map(|u| S::product(particle.weight, u));
-        let start = Start {
-            position: particle.position,
-            weight: particle.weight,
-            strength,
-        };
-        self.position.push(particle.position).map_err(|_| full)?;
-        self.weight.push(particle.weight).map_err(|_| full)?;
-        self.value.push(particle.value).map_err(|_| full)?;
-        self.strength.push(strength).map_err(|_| full)?;
-        self.start.push(start).map_err(|_| full)
+        self.cloud.push(particle)
+    }
+
+    /// Removes all particles.
+    pub fn clear(&mut self) {
+        self.cloud.clear();
     }
 
     /// The state and the workspace, as the solver takes them.
     pub fn parts(&mut self) -> (State<'_, S, D, P>, DiffusionWorkspace<'_, S, D, P>) {
-        let n = self.weight.len();
-        let state = State {
-            position: &mut self.position,
-            weight: &mut self.weight,
-            strength: &mut self.strength,
-            value: &mut self.value,
-            neighbours: self.neighbours.get_mut(..n).unwrap_or(&mut []),
-        };
+        let (state, cells, start) = self.cloud.parts();
         let work = DiffusionWorkspace {
-            cells: CellBuffers {
-                sites: &mut self.sites,
-                order: &mut self.order,
-                cell_of: &mut self.cell_of,
-                starts: &mut self.starts,
-            },
+            cells,
             grid: None,
             nodes: &mut self.nodes,
             sums: &mut self.sums,
-            start: &mut self.start,
+            start,
             last: &mut self.last,
             sum: &mut self.sum,
             stages: &mut self.stages,

@@ -5,6 +5,7 @@
 //! `q_k = w_k u_k`. A [`FirstOrderSystem`] says what the `A^i` are: `systems` has some, each in a
 //! file that reads like its equations.
 
+mod cloud;
 mod dynamics;
 mod field;
 mod law;
@@ -16,6 +17,7 @@ mod storage;
 mod system;
 pub mod systems;
 
+pub(crate) use cloud::CloudStorage;
 pub use dynamics::{LinearDynamics, Stability};
 pub use field::{
     Compression, Named as NamedField, Rotation, Shear, Still, Uniform, VelocityField, Wave,

@@ -1,0 +1,9 @@
+//! Convection-diffusion against theory and exact solutions.
+
+mod clouds;
+mod forms;
+mod operator;
+mod sums;
+mod time;
+mod transport;
+mod walls;

@@ -159,6 +159,7 @@ pub(super) fn linear_failure(error: LinearError) -> Failure {
         LinearError::Quadrature(_)
         | LinearError::Solution(_)
         | LinearError::Symmetriser(_)
+        | LinearError::Width { .. }
         | LinearError::Step { .. }
         | LinearError::NoFixedPoint { .. } => Failure::Input(error.into()),
     }

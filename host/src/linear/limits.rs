@@ -1,5 +1,7 @@
 //! Why a run of a linear system cannot be, or did not end.
 
+use motes_core::error::Error;
+
 use crate::exact::linear::error::SolutionError;
 use crate::simulation::RunError;
 use crate::symmetriser::SymmetriserError;
@@ -20,12 +22,26 @@ pub enum LinearError {
     /// The exact solution, which the state at t = 0 is taken from.
     #[error("the scenario has no initial state: {0}")]
     Solution(#[from] SolutionError),
+    /// A cut-off that does not go with the cloud.
+    #[error("epsilon = {epsilon:e} is {spacings:.3} spacings: {error}")]
+    #[diagnostic(help(
+        "epsilon = eta h^theta, with h as a number of the unit of length, so eta goes with that \
+         unit: give another eta, or epsilon itself; 1.5 to 4 spacings are usual"
+    ))]
+    Width {
+        /// ε, in the scenario's unit of length.
+        epsilon: f64,
+        /// The same in mean spacings.
+        spacings: f64,
+        /// What the solver says of it.
+        error: Error,
+    },
     /// The matrices.
     #[error(transparent)]
     #[diagnostic(transparent)]
     Symmetriser(#[from] SymmetriserError),
     /// A step that is not stable.
-    #[error("time.step = {step:.6e} is above the stable limit {limit:.6e} at t = {time:.6}")]
+    #[error("time.step = {step:e} is above the stable limit {limit:.6e} at t = {time:?}")]
     #[diagnostic(help("use a smaller step, a larger epsilon, or leave time.step out"))]
     Step {
         /// The step asked for.
@@ -37,7 +53,7 @@ pub enum LinearError {
     },
     /// A norm that grows faster than that of any solution.
     #[error(
-        "at t = {time:.6} the energy norm is {norm:.6e}, but no solution grows beyond {bound:.6e}"
+        "at t = {time:?} the energy norm is {norm:.6e}, but no solution grows beyond {bound:.6e}"
     )]
     #[diagnostic(help(
         "the run has become unstable or the cloud too thin: use a smaller time.courant, a larger \

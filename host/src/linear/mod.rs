@@ -3,6 +3,7 @@
 
 mod arrays;
 mod comparison;
+mod doubts;
 mod experiment;
 mod field;
 mod growth;

@@ -62,6 +62,8 @@ pub struct Sample {
     pub time_step: f64,
     /// `Σ_k q_k`.
     pub totals: Vec<f64>,
+    /// `Σ_k |q_k|`.
+    pub sizes: Vec<f64>,
     /// The energy norm.
     pub energy: Energy,
     /// Each component.
@@ -93,7 +95,7 @@ pub struct Outcome {
     pub seconds: f64,
     /// Digest of the last state.
     pub digest: Digest,
-    /// How far `Σ_k q_k` of each component has moved, over the largest `Σ_k |q_k|` of all; `None`
-    /// where sources, losses or walls change the sums.
+    /// How far `Σ_k q_k` of each component has moved, over its `Σ_k |q_k|` at the start or the end,
+    /// the larger one; `None` where sources, losses or walls change the sums.
     pub drift: Option<Vec<f64>>,
 }

@@ -17,7 +17,7 @@ use super::quadrature::Quadrature;
 use super::solution::solution;
 use crate::scenario;
 use crate::scenario::linear::{Field, LinearScenario, Method, System};
-use crate::simulation::{RunError, check_numbers};
+use crate::simulation::{RunError, check_memory, check_numbers};
 use crate::symmetriser::Symmetriser;
 
 /// A run of a linear system in solver units. Vectors have three components; those beyond the
@@ -60,6 +60,12 @@ pub struct Plan {
     pub end: f64,
     /// The part by which the energy norm may exceed its bound.
     pub growth_margin: f64,
+    /// Duration in the scenario's units.
+    pub duration: f64,
+    /// A power of two of the size of the largest value at the start; 1 where all are 0.
+    pub amplitude: f64,
+    /// Whether neighbours are counted after every step: snapshots show them.
+    pub counts_always: bool,
     /// The points of the probe.
     pub probe: Option<Vec<[f64; 3]>>,
     /// Whether the sums of the strengths are conserved: no losses, no sources, no walls.
@@ -73,8 +79,11 @@ impl Plan {
     /// Particles that cannot be made, an initial state that does not exist, matrices of a system
     /// that is not symmetrisable.
     pub fn new(scenario: &LinearScenario) -> Result<Self, LinearError> {
-        let quadrature = Quadrature::of(scenario)?;
         let dimension = scenario.dimension;
+        let components = scenario.system.components(dimension);
+        // Before the particles are made: 3 vectors and, with registers, 12 values each at the least.
+        check_memory(scenario.resolution.particles, 200 + 100 * components)?;
+        let quadrature = Quadrature::of(scenario)?;
         let count = quadrature.weights.len();
         let values = match (solution(scenario)?, quadrature.values) {
             (Some(solution), _) => {
@@ -87,6 +96,7 @@ impl Plan {
             }
             (None, values) => values.unwrap_or_default(),
         };
+        let amplitude = amplitude(&values);
         let symmetriser = match &scenario.system {
             System::Matrices { flux, .. } => Some(Symmetriser::of(flux)?),
             _ => None,
@@ -130,10 +140,18 @@ impl Plan {
             courant: scenario.time.courant,
             step: scenario.time.step.map(|step| step / time),
             end: scenario.time.end / time,
+            duration: scenario.time.end,
+            amplitude,
+            counts_always: scenario.output.snapshots.is_some(),
             growth_margin: scenario.time.growth_margin,
             probe,
             is_conserving: is_conserving(scenario),
         })
+    }
+
+    /// ε in the scenario's unit of length.
+    pub fn width(&self) -> f64 {
+        self.epsilon * self.units.length
     }
 
     /// The unit of time in the scenario's units.
@@ -192,6 +210,16 @@ impl Plan {
             numbers.push(("the length of the domain", axis.upper - axis.lower));
         }
         check_numbers::<S>(&numbers, scalar)
+    }
+}
+
+/// The power of two below the largest of some values; 1 where all are 0.
+fn amplitude(values: &[f64]) -> f64 {
+    let largest = values.iter().map(|u| u.abs()).fold(0.0, f64::max);
+    if largest > 0.0 {
+        libm::exp2(libm::floor(libm::log2(largest)))
+    } else {
+        1.0
     }
 }
 

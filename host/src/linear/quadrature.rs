@@ -81,17 +81,30 @@ fn point(extent: &Extent, s: [f64; 3]) -> [f64; 3] {
     })
 }
 
+/// Cells along each direction, about `particles` of them in all, as cubic as they can be: a
+/// direction in which the box is thinner than a cell has one, and the others share the rest.
+fn counts(extent: &Extent, particles: usize) -> [usize; 3] {
+    let lengths = lengths(extent);
+    let mut wide: Vec<usize> = (0..extent.lower.len()).collect();
+    loop {
+        let volume: f64 = wide.iter().map(|&i| lengths[i]).product();
+        let spacing = libm::pow(volume / particles as f64, 1.0 / wide.len() as f64);
+        let thin = |&i: &usize| wide.len() > 1 && lengths[i] < 0.5 * spacing;
+        if let Some(place) = wide.iter().position(thin) {
+            wide.remove(place);
+            continue;
+        }
+        return std::array::from_fn(|i| match wide.contains(&i) {
+            true if wide.len() == 1 => particles,
+            true => ((lengths[i] / spacing).round() as usize).max(1),
+            false => 1,
+        });
+    }
+}
+
 /// The middles of equal cells (2.1), as parts of the lengths; the last direction runs fastest.
 fn middles(extent: &Extent, particles: usize) -> Vec<[f64; 3]> {
-    let dimension = extent.lower.len();
-    let lengths = lengths(extent);
-    let volume: f64 = lengths.iter().product();
-    let spacing = libm::pow(volume / particles as f64, 1.0 / dimension as f64);
-    let counts: [usize; 3] = std::array::from_fn(|i| match i {
-        _ if i >= dimension => 1,
-        _ if dimension == 1 => particles,
-        _ => ((lengths[i] / spacing).round() as usize).max(1),
-    });
+    let counts = counts(extent, particles);
     let middle = |k: usize, n: usize| (k as f64 + 0.5) / n as f64;
     let [nx, ny, nz] = counts;
     let mut middles = Vec::with_capacity(nx * ny * nz);

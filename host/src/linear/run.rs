@@ -96,7 +96,8 @@ where
             .prepare(engine, &mut state, &mut work)
             .map_err(|error| self.failed(error))?;
         let rate = self.solver.system.growth().to_f64() / self.plan.unit_of_time();
-        let mut monitor = Monitor::new(rate, self.plan.growth_margin, self.norm(&state));
+        let order = self.plan.method.order;
+        let mut monitor = Monitor::new(rate, order, self.plan.growth_margin, self.norm(&state));
         let first = self.sample(&state, &monitor, S::ZERO);
         let mut series = vec![first];
         let mut sampled = 0.0;
@@ -116,7 +117,13 @@ where
             monitor.step(self.time(), real_dt, source, self.norm(&state))?;
             let done = self.clock.time.to_f64() / self.clock.end.to_f64();
             let due = (done * control.samples as f64).floor();
-            if due > sampled || self.clock.left().is_none() {
+            let is_due = due > sampled || self.clock.left().is_none();
+            if is_due || self.plan.counts_always {
+                self.solver
+                    .count_neighbours(engine, &mut state, &mut work, self.clock.time)
+                    .map_err(|error| self.failed(error))?;
+            }
+            if is_due {
                 sampled = due;
                 series.push(self.sample(&state, &monitor, dt));
             }
@@ -130,7 +137,7 @@ where
         }
         let seconds = started.elapsed().as_secs_f64();
         let cloud = self.cloud(&state);
-        let drift = self.drift(&series[0], &series[series.len() - 1], &state);
+        let drift = self.drift(&series[0], &series[series.len() - 1]);
         let steps = self.clock.steps;
         Ok(Outcome {
             reconstruction: self.reconstruction(&state, &mut work, None)?,
@@ -170,11 +177,27 @@ where
         }
     }
 
+    /// The time in the scenario's units; at the end that of the scenario, not as rounded.
     fn time(&self) -> f64 {
+        if self.clock.time == self.clock.end {
+            return self.plan.duration;
+        }
         self.clock.time.to_f64() * self.plan.unit_of_time()
     }
 
     fn failed(&self, error: Error) -> LinearError {
+        let narrow = matches!(
+            error,
+            Error::Isolated { .. } | Error::PeriodTooShort { .. } | Error::Range
+        );
+        if narrow && self.clock.steps == 0 {
+            let (spacings, epsilon) = (self.plan.epsilon, self.plan.width());
+            return LinearError::Width {
+                spacings,
+                epsilon,
+                error,
+            };
+        }
         LinearError::Run(RunError::Solver {
             time: self.time(),
             step: self.clock.steps,
@@ -217,15 +240,21 @@ where
         of: impl Fn(&Place<S, D>, &[S; P]) -> [S; P],
     ) -> f64 {
         let time = self.clock.time;
+        // Values of size 1 have squares in every format.
+        let size = self.plan.amplitude;
         let rows = state.position.iter().zip(state.weight.iter());
         let terms = rows.zip(state.value.iter()).map(|((&position, w), u)| {
             let place = Place { position, time };
-            let density = self.solver.energy_density(&place, &of(&place, u));
-            w.to_f64() * density.to_f64()
+            let u = of(&place, u).map(|u| S::from_f64(u.to_f64() / size));
+            w.to_f64() * self.solver.energy_density(&place, &u).to_f64()
         });
-        (compensated(terms) * self.plan.unit_of_volume())
-            .max(0.0)
-            .sqrt()
+        let squared = compensated(terms) * self.plan.unit_of_volume();
+        // Rounding may leave less than nothing of nothing; what is no number stays none.
+        if squared < 0.0 {
+            0.0
+        } else {
+            size * squared.sqrt()
+        }
     }
 
     /// The particles in the scenario's units, in id order.
@@ -284,11 +313,17 @@ where
             let strengths = state.strength.iter().map(|q| S::rounded(q[i]).to_f64());
             volume * compensated(strengths)
         };
+        let size = |i: usize| {
+            let strengths = state.strength.iter();
+            let sizes = strengths.map(|q| S::rounded(q[i]).to_f64().abs());
+            volume * compensated(sizes)
+        };
         Sample {
             time: self.time(),
             steps: self.clock.steps,
             time_step: dt.to_f64() * self.plan.unit_of_time(),
             totals: components.clone().map(total).collect(),
+            sizes: components.clone().map(size).collect(),
             energy: monitor.energy(self.norm(state)),
             spreads: components
                 .map(|i| Spread::of(cloud.component(i).into_iter()))
@@ -298,25 +333,16 @@ where
     }
 
     /// What the sums have moved by.
-    fn drift(&self, first: &Sample, last: &Sample, state: &State<'_, S, D, P>) -> Option<Vec<f64>> {
+    fn drift(&self, first: &Sample, last: &Sample) -> Option<Vec<f64>> {
         if !self.plan.is_conserving {
             return None;
         }
-        let volume = self.plan.unit_of_volume();
-        let size = |i: usize| {
-            let strengths = state
-                .strength
-                .iter()
-                .map(|q| S::rounded(q[i]).to_f64().abs());
-            volume * compensated(strengths)
-        };
-        let sizes: Vec<f64> = (0..first.totals.len()).map(size).collect();
-        let largest = sizes.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let totals = first.totals.iter().zip(&last.totals);
-        Some(
-            totals
-                .map(|(first, last)| (last - first) / largest)
-                .collect(),
-        )
+        let sizes = first.sizes.iter().zip(&last.sizes);
+        let part = |((first, last), (before, after)): ((&f64, &f64), (&f64, &f64))| {
+            let (moved, size) = (last - first, before.max(*after));
+            if moved == 0.0 { 0.0 } else { moved / size }
+        };
+        Some(totals.zip(sizes).map(part).collect())
     }
 }

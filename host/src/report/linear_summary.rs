@@ -44,8 +44,7 @@ pub struct LinearSummary {
     /// Errors against the exact solution: of each component, of the state and of the
     /// reconstruction; `null` without one.
     pub errors: Option<BTreeMap<String, Norms>>,
-    /// Drift of the sum of the strengths of each component, over the largest sum of their sizes;
-    /// `null` where losses, sources or walls change it.
+    /// Drift of the sum of the strengths of each component, over the sum of their sizes; `null` where losses, sources or walls change it.
     pub drift: Option<BTreeMap<String, f64>>,
     /// The energy norm at the start and the end, and its bound at the end.
     pub energy_norm: EnergyJson,
@@ -142,7 +141,7 @@ impl fmt::Display for LinearSummary {
         )?;
         writeln!(
             f,
-            "{} steps of {} to t = {} in {:.3} s: {per_step:.1} us a step, {updates:.2} million \
+            "{} steps of {} to t = {:?} in {:.3} s: {per_step:.1} us a step, {updates:.2} million \
              particle updates/s",
             self.steps, self.method, self.time, self.seconds
         )?;

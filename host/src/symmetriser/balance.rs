@@ -33,7 +33,7 @@ impl Balanced {
                         .sum()
                 };
                 let (column, row) = (sum(&|a, j| a[(j, k)]), sum(&|a, j| a[(k, j)]));
-                let factor = power_of_two(libm::sqrt(row / column));
+                let factor = power_of_two(libm::sqrt(row) / libm::sqrt(column));
                 // Only where it makes them smaller by a twentieth: else it might never end.
                 let after = column * factor + row / factor;
                 if !factor.is_finite() || factor == 0.0 || !(after < 0.95 * (column + row)) {

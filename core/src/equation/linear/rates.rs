@@ -47,6 +47,21 @@ where
         }
     }
 
+    /// Counts the neighbours of a state at that time, where its steps do not: nothing passes
+    /// between particles that go with what they carry. Changes no bit of the run.
+    pub fn count_neighbours(
+        &self,
+        engine: &mut impl Engine<S, D>,
+        state: &mut State<'_, S, D, P>,
+        work: &mut LinearWorkspace<'_, S, F::Medium, D, P>,
+        time: S,
+    ) -> Result<(), Error> {
+        match F::IS_COUPLED {
+            true => Ok(()),
+            false => self.sums(engine, state, work, time, true),
+        }
+    }
+
     /// The rates of all particles at the stage that `state` holds, into `work.last`, in id order.
     pub(crate) fn rates(
         &self,

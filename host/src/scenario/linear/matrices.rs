@@ -5,6 +5,25 @@ use crate::scenario::entry::{ANY, Entry};
 use crate::scenario::error::Fault;
 use crate::scenario::section::Section;
 
+/// Names that the results have already.
+const TAKEN: [&str; 9] = [
+    "state",
+    "reconstruction",
+    "weight",
+    "neighbours",
+    "id",
+    "time",
+    "steps",
+    "time_step",
+    "energy",
+];
+
+/// What names of columns that are made of others begin with.
+const TAKEN_FRONTS: [&str; 5] = ["position", "exact_", "reconstructed_", "total_", "energy_"];
+
+/// What they end with.
+const TAKEN_ENDS: [&str; 3] = ["_min", "_mean", "_max"];
+
 /// The most components that a system given by matrices may have.
 const MOST: u32 = 8;
 
@@ -76,10 +95,13 @@ fn names(entry: &Entry<'_>, components: usize) -> Result<Vec<String>, Fault> {
         let is_plain = name
             .chars()
             .all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-');
-        let is_taken = ["state", "weight"].contains(&name) || name.starts_with("position");
+        let is_taken = TAKEN.contains(&name)
+            || TAKEN_FRONTS.iter().any(|front| name.starts_with(front))
+            || TAKEN_ENDS.iter().any(|end| name.ends_with(end));
         if name.is_empty() || !is_plain || is_taken {
             let reason = "names head the columns of the results, and some are taken".to_owned();
-            let cure = "use letters, digits, - and _; not state, weight, or position in front";
+            let cure = "use letters, digits, - and _; not a column of the results, such as \
+                        state, weight, position_x, exact_u or u_min";
             return Err(entry.does_not_fit(reason, cure));
         }
         if names.iter().any(|other| other == name) {

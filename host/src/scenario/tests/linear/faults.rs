@@ -117,7 +117,7 @@ const LINE_FAULTS: &[Case] = &[
     ("[time]", "[output]\nprobe = { points = [3], upper = [3.0] }\n[time]", "probe", "output.probe.upper = 3 lies outside the domain", "move it inside"),
     ("[time]", "[output]\nprobe = { points = [3], lower = [1.0], upper = [1.0] }\n[time]", "probe", "the probe reaches from 1 to 1", "larger than lower"),
     ("[time]", "[tolerance.state]\nl1 = 1\nreason = \"x\"\n[time]", "[tolerance", "no output.exact", "add `exact`"),
-    ("[time]", "[output]\nexact = \"initial\"\n[tolerance.presure]\nl1 = 1\nreason = \"x\"\n[time]", "presure", "unknown key `presure` in [tolerance]", "did you mean `pressure`? the keys in [tolerance] are: state, pressure, velocity_x"),
+    ("[time]", "[output]\nexact = \"initial\"\n[tolerance.presure]\nl1 = 1\nreason = \"x\"\n[time]", "presure", "unknown key `presure` in [tolerance]", "did you mean `pressure`? the keys in [tolerance] are: state, reconstruction, pressure, velocity_x"),
     ("[time]", "[output]\nexact = \"initial\"\n[tolerance.state]\nl1 = 1\n[time]", "[tolerance.state]", "`reason` is missing", "reason ="),
 ];
 

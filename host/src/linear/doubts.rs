@@ -1,0 +1,57 @@
+//! Why the results of a run may not mean what they say.
+
+use super::plan::Plan;
+use crate::scenario::Side;
+use crate::scenario::linear::{Arrangement, Initial, LinearScenario};
+
+/// What a careful reader of the results should know of a scenario.
+pub(super) fn doubts(scenario: &LinearScenario, plan: &Plan) -> Vec<String> {
+    volume(scenario, plan)
+        .into_iter()
+        .chain(resolution(scenario, plan))
+        .collect()
+}
+
+/// Weights of a file that are no volumes.
+fn volume(scenario: &LinearScenario, plan: &Plan) -> Option<String> {
+    let Arrangement::File(_) = scenario.resolution.arrangement else {
+        return None;
+    };
+    let whole = scenario.domain.extent.volume();
+    let sum = plan.weights.iter().sum::<f64>() * plan.unit_of_volume();
+    let sides = scenario.domain.sides.iter().flatten();
+    let is_open = sides.filter(|&&side| side == Side::Free).count() > 0;
+    let (low, high) = (0.95 * whole, 1.05 * whole);
+    let fits = sum <= high && (is_open || sum >= low);
+    (!fits).then(|| {
+        format!(
+            "the weights add up to {sum:e}, the domain to {whole:e}: weights are volumes, and \
+             waves run at wrong speeds where they are not"
+        )
+    })
+}
+
+/// A state at t = 0 that the particles cannot show.
+fn resolution(scenario: &LinearScenario, plan: &Plan) -> Option<String> {
+    let spacing = plan.units.length;
+    let extent = &scenario.domain.extent;
+    let (what, length, least) = match scenario.initial.as_ref()? {
+        Initial::Gaussian { width, .. } => ("width of the Gaussian", *width, 2.0),
+        Initial::ExpSine => return None,
+        Initial::PlaneWave { wave, .. }
+        | Initial::StandingWave { wave, .. }
+        | Initial::Modes { wave, .. } => {
+            let sides = extent.lower.iter().zip(&extent.upper).zip(wave);
+            let lengths = sides.map(|((lower, upper), &number)| {
+                (upper - lower) / f64::from(number.unsigned_abs().max(1))
+            });
+            ("wavelength", lengths.fold(f64::INFINITY, f64::min), 4.0)
+        }
+    };
+    (length < least * spacing).then(|| {
+        format!(
+            "the {what} is {:.2} spacings: the particles do not resolve the initial state",
+            length / spacing
+        )
+    })
+}

@@ -128,6 +128,28 @@ fn carried_values_do_not_feel_the_cut_off() {
     assert!((order - 4.0).abs() < 0.3, "order {order}");
 }
 
+/// With decay and a source in a rotating, shearing, compressing or uniform flow: the exact solution
+/// along each path, to the accuracy of the integrator.
+#[test]
+fn decay_and_sources_are_followed_in_every_flow() {
+    for (name, flow) in [
+        ("transport-rotation", ""),
+        ("transport-shear", ""),
+        ("transport-compression", ""),
+        ("transport-mesh", "motion.kind=flow"),
+    ] {
+        let mut changes = vec![
+            "resolution.particles=400",
+            "system.decay=0.7",
+            "system.source=0.4",
+            "time.step=0.02",
+        ];
+        changes.extend((!flow.is_empty()).then_some(flow));
+        let error = errors(name, "f64", &changes)["state"].linf;
+        assert!(error < 1e-4, "{name}: {error}");
+    }
+}
+
 /// Without losses, sources and walls the sums of the strengths are those of the start.
 #[test]
 fn sums_are_conserved_to_rounding() {

@@ -8,6 +8,8 @@ mod matrices;
 mod maxwell;
 mod shallow_water;
 mod telegraph;
+#[cfg(test)]
+mod tests;
 mod transport;
 
 pub use acoustics::Acoustics;

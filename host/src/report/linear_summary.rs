@@ -5,7 +5,7 @@ use std::fmt;
 
 use serde::Serialize;
 
-use super::summary::SpreadJson;
+use super::summary::{SpreadJson, ending};
 use crate::comparison::Norms;
 use crate::linear::{Experiment, RECONSTRUCTION, STATE};
 use crate::simulation::Spread;
@@ -176,14 +176,12 @@ impl fmt::Display for LinearSummary {
             f,
             "energy     norm {first:.6e} to {last:.6e}, bound {bound:.6e}"
         )?;
-        let [smallest, largest] = self.time_step;
-        writeln!(f, "time step  {smallest:.3e} to {largest:.3e}")?;
-        let SpreadJson { min, mean, max } = self.neighbours;
-        writeln!(f, "neighbours {min} to {max}, mean {mean:.2}")?;
-        write!(f, "digest     {}", self.digest)?;
-        for warning in &self.warnings {
-            write!(f, "\nwarning: {warning}")?;
-        }
-        Ok(())
+        ending(
+            f,
+            self.time_step,
+            self.neighbours,
+            &self.digest,
+            &self.warnings,
+        )
     }
 }

@@ -161,14 +161,29 @@ impl fmt::Display for Summary {
             )?,
             None => writeln!(f, "\ndrift      none to tell: gas flows through the sides")?,
         }
-        let [smallest, largest] = self.time_step;
-        writeln!(f, "time step  {smallest:.3e} to {largest:.3e}")?;
-        let SpreadJson { min, mean, max } = self.neighbours;
-        writeln!(f, "neighbours {min} to {max}, mean {mean:.2}")?;
-        write!(f, "digest     {}", self.digest)?;
-        for warning in &self.warnings {
-            write!(f, "\nwarning: {warning}")?;
-        }
-        Ok(())
+        ending(
+            f,
+            self.time_step,
+            self.neighbours,
+            &self.digest,
+            &self.warnings,
+        )
     }
+}
+
+/// The last lines of every summary.
+pub(super) fn ending(
+    f: &mut fmt::Formatter<'_>,
+    [smallest, largest]: [f64; 2],
+    SpreadJson { min, mean, max }: SpreadJson,
+    digest: &str,
+    warnings: &[String],
+) -> fmt::Result {
+    writeln!(f, "time step  {smallest:.3e} to {largest:.3e}")?;
+    writeln!(f, "neighbours {min} to {max}, mean {mean:.2}")?;
+    write!(f, "digest     {digest}")?;
+    for warning in warnings {
+        write!(f, "\nwarning: {warning}")?;
+    }
+    Ok(())
 }

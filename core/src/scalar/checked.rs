@@ -183,6 +183,10 @@ impl<S: Scalar> Scalar for Checked<S> {
     fn rounded(wide: CheckedWide<S>) -> Self {
         Self::of(S::rounded(wide.wide), wide.unlimited, wide.overflowed)
     }
+    const HAS_EXACT_SUMS: bool = S::HAS_EXACT_SUMS;
+    fn wide_to_f64(wide: CheckedWide<S>) -> f64 {
+        S::wide_to_f64(wide.wide)
+    }
     fn wide_bits(wide: CheckedWide<S>) -> u128 {
         S::wide_bits(wide.wide)
     }

@@ -210,6 +210,12 @@ macro_rules! fixed_point {
             fn rounded(wide: $wide) -> Self {
                 Self::round(wide)
             }
+            const HAS_EXACT_SUMS: bool = true;
+            #[inline(always)]
+            fn wide_to_f64(wide: $wide) -> f64 {
+                let one = ((1 as $wide_unsigned) << Self::FRACTION) as f64;
+                wide as f64 / one / one
+            }
             #[inline(always)]
             fn wide_bits(wide: $wide) -> u128 {
                 wide as $wide_unsigned as u128

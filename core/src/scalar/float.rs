@@ -92,6 +92,11 @@ macro_rules! float {
             fn rounded(wide: Self) -> Self {
                 wide
             }
+            const HAS_EXACT_SUMS: bool = false;
+            #[inline(always)]
+            fn wide_to_f64(wide: Self) -> f64 {
+                f64::from(wide)
+            }
             #[inline(always)]
             fn wide_bits(wide: Self) -> u128 {
                 u128::from(wide.to_bits())

@@ -128,6 +128,11 @@ impl Scalar for Micro {
     fn rounded(wide: Self) -> Self {
         wide
     }
+    const HAS_EXACT_SUMS: bool = false;
+    #[inline(always)]
+    fn wide_to_f64(wide: Self) -> f64 {
+        wide.to_f64()
+    }
     #[inline(always)]
     fn wide_bits(wide: Self) -> u128 {
         f32::wide_bits(wide.0)

@@ -100,6 +100,10 @@ pub trait Scalar: Number<Scalar = Self> + PartialOrd + Debug + Send + Sync + 'st
     fn wide_sum(a: Self::Wide, b: Self::Wide) -> Self::Wide;
     /// A sum of products, rounded once.
     fn rounded(wide: Self::Wide) -> Self;
+    /// Whether sums of products are exact, whatever their order.
+    const HAS_EXACT_SUMS: bool;
+    /// A sum of products as `f64`, for reports; never used by the solver.
+    fn wide_to_f64(wide: Self::Wide) -> f64;
     /// The bit pattern of a sum of products, for digests.
     fn wide_bits(wide: Self::Wide) -> u128;
     /// A component of a displacement, cut off at ±[`Scalar::REACH_LIMIT`].

@@ -86,7 +86,7 @@ pub(super) struct RunArguments {
 
 const SUITE_EXAMPLES: &str = "\
 Examples:
-  motes suite                            all of it in f64, f32 and q12.19: some 15 minutes
+  motes suite                            all of it in f64, f32 and q12.19: some 20 minutes
   motes suite sod noh1d                  two of its scenarios
   motes suite --scalars f64 --json       for a script
 

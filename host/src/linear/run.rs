@@ -309,8 +309,13 @@ where
         let volume = self.plan.unit_of_volume();
         let cloud = self.cloud(state);
         let components = 0..self.plan.names.len();
+        let exact = state.total();
         let total = |i: usize| {
-            let strengths = state.strength.iter().map(|q| S::rounded(q[i]).to_f64());
+            // A sum of rounded numbers would move where the exact one does not.
+            if S::HAS_EXACT_SUMS {
+                return volume * S::wide_to_f64(exact[i]);
+            }
+            let strengths = state.strength.iter().map(|q| S::wide_to_f64(q[i]));
             volume * compensated(strengths)
         };
         let size = |i: usize| {

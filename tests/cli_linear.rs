@@ -153,3 +153,23 @@ fn bad_input_is_answered_with_the_value_and_the_cure() {
     let errors = told(&field);
     assert!(errors.contains("there is no field `density`"), "{errors}");
 }
+
+/// The levels that a study chooses itself all fit the period: the coarsest is not below it.
+#[test]
+fn a_study_chooses_levels_that_fit_the_cut_off() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = [
+        "converge",
+        "maxwell-te",
+        "--levels",
+        "2",
+        "--set",
+        "resolution.particles=300",
+        "--set",
+        "time.end=0.02",
+        "--json",
+    ];
+    let json = json(folder.path(), &study);
+    let coarsest = json["levels"][0]["n"].as_u64().unwrap();
+    assert!((300..2000).contains(&coarsest), "{coarsest}");
+}

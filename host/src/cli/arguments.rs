@@ -173,7 +173,7 @@ pub(super) struct ConvergeArguments {
     #[arg(long, default_value_t = 4, value_name = "K")]
     pub levels: u32,
     /// Number of particles of the coarsest level [default: such that the finest is the
-    /// scenario's own]
+    /// scenario's own, but no less than what its cut-off fits into]
     #[arg(short = 'n', long, value_name = "N")]
     pub particles: Option<String>,
     /// The numbers of particles themselves, separated by commas

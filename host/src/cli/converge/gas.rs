@@ -23,6 +23,7 @@ pub(super) fn subject(scenario: &Scenario) -> (Subject, Vec<String>) {
         name: scenario.name.clone(),
         dimension: scenario.dimension,
         particles: scenario.resolution.particles,
+        least: 0,
         has_exact: scenario.output.exact.is_some(),
         field: field.to_owned(),
         norm: ErrorNorm::L1,

@@ -9,8 +9,8 @@ use super::super::run::linear_failure;
 use super::{Runs, Subject, within};
 use crate::linear::{Control, Experiment, RECONSTRUCTION, STATE};
 use crate::report::linear_summary::LinearSummary;
-use crate::scenario::Width;
 use crate::scenario::linear::LinearScenario;
+use crate::scenario::{Side, Width};
 use crate::study::{ErrorNorm, Level, Theory, linear_level};
 
 /// What is studied of a system unless told, and the fields that it has: its reconstruction where
@@ -27,6 +27,7 @@ pub(super) fn subject(scenario: &LinearScenario) -> (Subject, Vec<String>) {
         name: scenario.name.clone(),
         dimension: scenario.dimension,
         particles: scenario.resolution.particles,
+        least: least(scenario),
         has_exact: scenario.output.exact,
         field: usual.to_owned(),
         norm: ErrorNorm::L2,
@@ -44,6 +45,24 @@ pub(super) fn subject(scenario: &LinearScenario) -> (Subject, Vec<String>) {
         }),
     };
     (subject, fields)
+}
+
+/// The number of particles, to a factor of 2, from which on every period holds three reaches of
+/// the cut-off.
+fn least(scenario: &LinearScenario) -> usize {
+    let (extent, dimension) = (&scenario.domain.extent, scenario.dimension as f64);
+    let periods = scenario.domain.sides.iter().enumerate();
+    let periods = periods.filter(|(_, sides)| sides[0] == Side::Periodic);
+    let shortest = periods
+        .map(|(axis, _)| extent.upper[axis] - extent.lower[axis])
+        .fold(f64::INFINITY, f64::min);
+    let support = f64::from(scenario.cut_off.shape.support());
+    let fits = |&count: &usize| {
+        let spacing = libm::pow(extent.volume() / count as f64, 1.0 / dimension);
+        // The solver's reach is 1/64 longer than the support, and cells round.
+        3.1 * support * scenario.cut_off.width.epsilon(spacing) <= shortest
+    };
+    (0..30).map(|i| 1 << i).find(fits).unwrap_or(0)
 }
 
 /// Runs a level.

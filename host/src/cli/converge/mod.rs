@@ -76,6 +76,8 @@ struct Subject {
     dimension: usize,
     /// Of the scenario; 0 where they come from a file.
     particles: usize,
+    /// The least that a level may have unless told: below it periods are too short for the cut-off.
+    least: usize,
     has_exact: bool,
     field: String,
     norm: ErrorNorm,
@@ -131,7 +133,13 @@ fn counts(arguments: &ConvergeArguments, subject: &Subject) -> Result<Vec<usize>
         let (levels, dimension) = (arguments.levels, subject.dimension as u32);
         let first = match &arguments.particles {
             Some(text) => number("--particles", text)?,
-            None => coarsest(subject.particles, levels, dimension),
+            None => {
+                let mut first = coarsest(subject.particles, levels, dimension);
+                while first < subject.least {
+                    first <<= dimension;
+                }
+                first
+            }
         };
         ladder(first, levels, dimension).ok_or_else(|| {
             Failure::Input(miette::miette!(

@@ -4,7 +4,7 @@ use motes_core::cutoff::Named;
 use motes_core::domain::{Axis, Domain};
 use motes_core::equation::diffusion::{
     Condition, DiffusionDynamics, DiffusionProblem, DiffusionStorage, DiffusionWorkspace, Form,
-    Heat,
+    Heat, Mean,
 };
 use motes_core::equation::linear::{Particle, Place, State, Still, VelocityField};
 use motes_core::integrator::{Clock, RungeKutta};
@@ -63,6 +63,7 @@ pub fn line<S: Scalar, B>(n: u32, problem: B, form: Form, epsilon: f64) -> Line<
         problem,
         field: Still,
         form,
+        mean: Mean::Arithmetic,
         courant: S::ONE.half(),
     }
 }
@@ -101,7 +102,7 @@ where
     let mut clock = Clock::new(end);
     let mut sides = 0;
     while let Some(left) = clock.left() {
-        let radius = solver.radius(state, work);
+        let radius = solver.radius(state, work, clock.time);
         let dt = solver
             .time_step(radius, S::from_f64(method.real), left)
             .unwrap();
@@ -156,6 +157,7 @@ pub fn plane<A>(n: u32, field: A, form: Form, diffusivity: f64, epsilon: f64) ->
         problem: Heat { diffusivity },
         field,
         form,
+        mean: Mean::Arithmetic,
         courant: 0.5,
     }
 }

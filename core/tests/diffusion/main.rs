@@ -2,6 +2,7 @@
 
 mod clouds;
 mod forms;
+mod media;
 mod operator;
 mod sums;
 mod time;

@@ -5,6 +5,7 @@ use crate::domain::Wall;
 use crate::pairs::Law;
 use crate::scalar::{Number, Scalar};
 
+use super::dynamics::Mean;
 use super::node::{DiffusionNode, DiffusionSums};
 use super::wall::Condition;
 
@@ -13,6 +14,11 @@ use super::wall::Condition;
 /// Differs from the paper: as printed (4.6) adds the operator (4.5) to the left-hand side; it
 /// approximates `+div(b ∇u)` and belongs on the right. For a radial cut-off the bracket is
 /// `-σ ε^-(D+2) F(q)` and needs no division; ε² is taken out, so that no number is small.
+///
+/// Differs from the paper: with a tensor the term is times `((D+2) n·Tn - tr T)/2`, `n` the
+/// direction of the pair, which makes `div(b T ∇u)` of the same order (Español & Revenga, Phys. Rev.
+/// E 67, 2003, 026705); below 0 for some pairs where the eigenvalues of `T` differ by more than a
+/// factor: no maximum principle then.
 #[derive(Clone, Copy, Debug)]
 pub struct Direct<S, C, const D: usize, const P: usize> {
     /// ζ.
@@ -21,8 +27,32 @@ pub struct Direct<S, C, const D: usize, const P: usize> {
     pub scale: S,
     /// `σ ε^-D`.
     pub height: S,
+    /// What stands for `(b_k + b_l)/2`.
+    pub mean: Mean,
+    /// `T`; `None` for 1.
+    pub tensor: Option<[[S; D]; D]>,
     /// What holds at the walls, by direction and end.
     pub walls: [[[Condition<S>; P]; 2]; D],
+}
+
+impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Direct<S, C, D, P> {
+    /// `((D+2) n·Tn - tr T)/2`, 1 without a tensor.
+    #[inline(always)]
+    fn share<N: Number<Scalar = S>>(&self, r: &[N; D], distance_squared: N) -> N {
+        let Some(tensor) = &self.tensor else {
+            return N::splat(S::ONE);
+        };
+        let (mut image, mut trace) = (*r, S::ZERO);
+        for i in 0..D {
+            image[i] = N::dot(&tensor[i].map(N::splat), r);
+            trace += tensor[i][i];
+        }
+        // A particle by itself has no direction, and no difference either.
+        let size = distance_squared.max(N::splat(S::TINIEST));
+        let along = N::dot(r, &image) / size;
+        let dimensions = N::splat(S::count(D as u32 + 2).half());
+        dimensions * along - N::splat(trace.half())
+    }
 }
 
 impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Direct<S, C, D, P> {
@@ -34,23 +64,24 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Direct<
         &self,
         k: &DiffusionNode<N, D, P>,
         l: &DiffusionNode<N, D, P>,
-        _: &[N; D],
+        r: &[N; D],
         distance_squared: N,
         to_k: &mut DiffusionSums<N, P>,
         to_l: &mut DiffusionSums<N, P>,
     ) {
         let a = self.cut_off.argument(distance_squared) * N::splat(self.scale);
         let bracket = -(N::splat(self.height) * self.cut_off.gradient::<D, N>(a));
+        let bracket = bracket * self.share(r, distance_squared);
         let factor = (k.weight * l.weight) * bracket;
         let mut largest = N::zero();
         for j in 0..P {
-            let b = k.diffusivity[j] + l.diffusivity[j];
+            let b = self.mean.twice(k.diffusivity[j], l.diffusivity[j]);
             let term = factor * (b * (l.value[j] - k.value[j]));
             to_k.rate[j] += term;
             to_l.rate[j] -= term;
             largest = largest.max(b);
         }
-        // From order 4 on the bracket has both signs.
+        // From order 4 on, and with a tensor, the bracket has both signs.
         let size = bracket.max(-bracket) * largest;
         to_k.radius += l.weight * size;
         to_l.radius += k.weight * size;

@@ -6,7 +6,34 @@ use super::storage::DiffusionWorkspace;
 use crate::cutoff::{CutOff, slope};
 use crate::domain::Domain;
 use crate::error::{Error, Quantity};
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
+
+/// What the direct form takes for `b` between two particles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Mean {
+    /// `(b_k + b_l)/2`, as (4.6) has it: second order where `b` is smooth.
+    #[default]
+    Arithmetic,
+    /// `2 b_k b_l/(b_k + b_l)`, two resistances in a row: for jumps of `b` (Cleary & Monaghan, J.
+    /// Comput. Phys. 148, 1999, 227). One division a pair.
+    Harmonic,
+}
+
+impl Mean {
+    /// Twice the mean.
+    #[inline(always)]
+    pub(super) fn twice<N: Number>(self, k: N, l: N) -> N {
+        let sum = k + l;
+        match self {
+            Self::Arithmetic => sum,
+            Self::Harmonic => {
+                let part = l / sum.max(N::splat(N::Scalar::TINIEST));
+                let product = k * part;
+                (product + product) + (product + product)
+            }
+        }
+    }
+}
 
 /// Which form.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -34,6 +61,8 @@ pub struct DiffusionDynamics<S, C, B, A, const D: usize, const P: usize> {
     pub field: A,
     /// Direct or mixed.
     pub form: Form,
+    /// Of the direct form.
+    pub mean: Mean,
     /// The factor of the stable time step, in (0, 1].
     pub courant: S,
 }
@@ -49,8 +78,14 @@ where
     /// been made: no explicit method needs more.
     ///
     /// Direct form: Gershgorin's circles, `2 max_k Σ_l w_l (b_k + b_l) |bracket_kl|`. Mixed form:
-    /// `max b (κ/ε)²`, `κ = ∫ |∂_1 ζ| dx`. To it comes the bound of the reactions.
-    pub fn radius(&self, state: &State<'_, S, D, P>, work: &DiffusionWorkspace<'_, S, D, P>) -> S {
+    /// `max b (κ/ε)²`, `κ = ∫ |∂_1 ζ| dx`, times the trace of the tensor. Times what `b` may yet
+    /// grow by; to it comes the bound of the reactions.
+    pub fn radius(
+        &self,
+        state: &State<'_, S, D, P>,
+        work: &DiffusionWorkspace<'_, S, D, P>,
+        time: S,
+    ) -> S {
         let n = state.len();
         let largest = match self.form {
             Form::Direct => {
@@ -64,10 +99,21 @@ where
                 let all = nodes.iter().flat_map(|node| node.diffusivity);
                 let conductor = all.reduce(Scalar::greater).unwrap_or(S::ZERO);
                 let kappa = S::from_f64(slope::<C, D>(self.cut_off));
-                conductor * (kappa * kappa)
+                conductor * (kappa * kappa) * self.stretch()
             }
         };
+        let largest = largest * self.problem.headroom(time);
         largest / self.epsilon / self.epsilon + self.problem.reaction_rate()
+    }
+
+    /// A bound of the eigenvalues of the tensor: its trace.
+    fn stretch(&self) -> S {
+        let Some(tensor) = self.problem.tensor() else {
+            return S::ONE;
+        };
+        let rows = tensor.iter().enumerate();
+        let diagonal = rows.filter_map(|(i, row)| row.get(i).copied());
+        diagonal.fold(S::ZERO, |trace, t| trace + t)
     }
 
     /// The step to make: `courant reach / Λ`, where an explicit method is stable up to `λ dt =

@@ -5,18 +5,27 @@
 //! carry strengths `q_k = w_k u_k`, as those of linear systems do: the state, its registers and
 //! the velocity fields are those of [`linear`](super::linear).
 
+mod conductor;
 mod direct;
+mod drive;
 mod dynamics;
 mod mixed;
+mod named;
 mod node;
 mod problem;
 mod rates;
+mod reaction;
 mod storage;
 mod wall;
 
-pub use dynamics::{DiffusionDynamics, Form};
+pub use conductor::{Conductor, Modulation};
+pub use direct::Direct;
+pub use drive::{Drive, DrivenCondition};
+pub use dynamics::{DiffusionDynamics, Form, Mean};
 pub use mixed::{FluxSums, MixedNode};
+pub use named::NamedProblem;
 pub use node::{DiffusionNode, DiffusionSums};
 pub use problem::{DiffusionProblem, Heat};
+pub use reaction::Reaction;
 pub use storage::{DiffusionStorage, DiffusionWorkspace, MixedWorkspace};
 pub use wall::Condition;

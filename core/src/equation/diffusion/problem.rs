@@ -10,6 +10,19 @@ pub trait DiffusionProblem<S: Scalar, const D: usize, const P: usize>: Sync {
     /// `b(x,t)` of each species, >= 0, length²/time.
     fn diffusivity(&self, place: &Place<S, D>) -> [S; P];
 
+    /// By what factor `b` may yet exceed what it is at that time: a step is bounded by the largest.
+    fn headroom(&self, time: S) -> S {
+        let _ = time;
+        S::ONE
+    }
+
+    /// A symmetric tensor `T`, eigenvalues >= 0, that makes diffusion `div(b T ∇u)`; `None` for 1.
+    ///
+    /// Differs from the paper: an extension, see [`Direct`](super::Direct).
+    fn tensor(&self) -> Option<[[S; D]; D]> {
+        None
+    }
+
     /// `f(x,t,u)`: sources, decay, reactions.
     fn reaction(&self, place: &Place<S, D>, u: &[S; P]) -> [S; P] {
         let _ = (place, u);

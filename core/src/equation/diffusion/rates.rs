@@ -80,6 +80,8 @@ where
                     cut_off: laws.cut_off,
                     scale: laws.scale,
                     height: laws.height,
+                    mean: self.mean,
+                    tensor: self.problem.tensor(),
                     walls: laws.walls,
                 };
                 engine.sweep(&law, &cells, nodes, sums)?;
@@ -98,10 +100,15 @@ where
                 else {
                     return Err(Error::Lengths);
                 };
+                let tensor = self.problem.tensor();
                 for (shown, settled) in shown.iter_mut().zip(fluxes.iter()) {
                     let (node, mut flux) = (settled.node, settled.sums.slope);
                     for (flux, &b) in flux.iter_mut().zip(&node.diffusivity) {
-                        *flux = flux.map(|slope| -(b * slope));
+                        let slope = match &tensor {
+                            Some(tensor) => tensor.map(|row| S::dot(&row, flux)),
+                            None => *flux,
+                        };
+                        *flux = slope.map(|slope| -(b * slope));
                     }
                     *shown = MixedNode { node, flux };
                 }

@@ -1,0 +1,70 @@
+//! Diffusivities that vary in space and time, by name.
+
+use super::super::linear::Place;
+use crate::scalar::{Scalar, sine_of_turns};
+
+/// How `b` varies along x: a factor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Conductor<'a, S> {
+    /// The same everywhere.
+    Uniform,
+    /// `1 - ((x - center)/radius)²`, 0 where that is below 0: Legendre's operator.
+    Parabola {
+        /// Where it is 1.
+        center: S,
+        /// How far from there it is 0, > 0.
+        radius: S,
+    },
+    /// Layers with jumps between them.
+    Layers {
+        /// Where one ends and the next begins, ascending.
+        bounds: &'a [S],
+        /// Of each layer: one more than bounds.
+        factors: &'a [S],
+    },
+}
+
+impl<S: Scalar> Conductor<'_, S> {
+    /// The factor at a place.
+    pub fn factor<const D: usize>(&self, place: &Place<S, D>) -> S {
+        let x = place.position.first().copied().unwrap_or(S::ZERO);
+        match *self {
+            Self::Uniform => S::ONE,
+            Self::Parabola { center, radius } => {
+                let part = (x - center) / radius;
+                (S::ONE - part * part).greater(S::ZERO)
+            }
+            Self::Layers { bounds, factors } => {
+                let layer = bounds.partition_point(|&bound| bound <= x);
+                factors.get(layer).copied().unwrap_or(S::ZERO)
+            }
+        }
+    }
+}
+
+/// A factor of `b` that swings in time, `1 + amplitude sin(2π frequency t)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Modulation<S> {
+    /// Above -1 and below 1.
+    pub amplitude: S,
+    /// Turns/time.
+    pub frequency: S,
+}
+
+impl<S: Scalar> Modulation<S> {
+    /// Nothing swings.
+    pub const NONE: Self = Self {
+        amplitude: S::ZERO,
+        frequency: S::ZERO,
+    };
+
+    /// The factor at a time.
+    pub fn factor(&self, time: S) -> S {
+        S::ONE + self.amplitude * sine_of_turns(self.frequency * time)
+    }
+
+    /// The largest factor over the one at that time.
+    pub fn headroom(&self, time: S) -> S {
+        (S::ONE + self.amplitude.abs()) / self.factor(time)
+    }
+}

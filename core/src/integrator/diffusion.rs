@@ -8,7 +8,7 @@ use crate::pairs::Engine;
 use crate::scalar::Scalar;
 
 use super::registers::{accumulate, put, remember};
-use super::rkl2::{Rkl2, Stabilised};
+use super::rkl2::{MOST_STAGES, Rkl2, Stabilised};
 use super::runge_kutta::{From, RungeKutta, SemiDiscrete};
 
 /// A solver with the state that it moves.
@@ -143,6 +143,21 @@ where
         let mut stepping = self.stepping(engine, state, work);
         method.advance(&mut stepping, time, dt)?;
         state.check()
+    }
+
+    /// The fewest stages of the stabilised method that a step takes, with `courant` to spare; at most
+    /// `most`, which bounds the work of a step. `None` where that is too few.
+    pub fn stabilised(&self, radius: S, dt: S, most: u32) -> Option<Rkl2> {
+        let mut stages = 3;
+        while stages <= Ord::min(most, MOST_STAGES) {
+            let method = Rkl2::with_stages(stages);
+            // Not `radius dt`, which may leave the format.
+            if !(radius > S::ZERO) || dt <= self.courant * (method.reach::<S>() / radius) {
+                return Some(method);
+            }
+            stages += 2;
+        }
+        None
     }
 
     /// The same with half a step of transport, a step of diffusion by the stabilised method on

@@ -116,6 +116,11 @@ pub const RK4: RungeKutta = RungeKutta {
 };
 
 impl RungeKutta {
+    /// How many right-hand sides a step takes.
+    pub fn sides(&self) -> u32 {
+        1 + self.stages.len() as u32
+    }
+
     /// The methods, by name.
     pub const ALL: [Self; 2] = [RK4, SSP_RK3];
 

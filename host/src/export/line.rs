@@ -134,7 +134,7 @@ fn sorted<const N: usize>(mut names: [&str; N]) -> String {
 
 /// The name of the method in the core.
 fn method(plan: &Plan) -> String {
-    plan.method.name.to_uppercase().replace('-', "_")
+    plan.method.name().to_uppercase().replace('-', "_")
 }
 
 /// The equations, where a device can have them.

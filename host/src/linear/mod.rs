@@ -14,6 +14,7 @@ mod quadrature;
 mod run;
 mod scalars;
 mod solution;
+mod solver;
 mod systems;
 
 pub use comparison::{RECONSTRUCTION, STATE, errors};

@@ -47,7 +47,7 @@ impl Cloud {
 pub struct Energy {
     /// It.
     pub norm: f64,
-    /// What no solution exceeds.
+    /// What no solution exceeds; infinite where nothing bounds them.
     pub bound: f64,
 }
 
@@ -85,6 +85,10 @@ pub struct Outcome {
     pub series: Vec<Sample>,
     /// Steps made.
     pub steps: u64,
+    /// Right-hand sides made.
+    pub sides: u64,
+    /// The part of the state at the end in waves that the mixed form of diffusion does not damp.
+    pub undamped: f64,
     /// The smallest time step; 0 without any.
     pub smallest_step: f64,
     /// The largest time step.

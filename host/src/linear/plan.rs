@@ -51,7 +51,7 @@ pub struct Plan {
     /// Its width.
     pub epsilon: f64,
     /// The time integrator.
-    pub method: RungeKutta,
+    pub method: Method,
     /// Factor of the stable time step.
     pub courant: f64,
     /// The time step, if it is given.
@@ -133,10 +133,7 @@ impl Plan {
             },
             cut_off: scenario.cut_off.shape,
             epsilon: scenario.cut_off.width.epsilon(spacing) / spacing,
-            method: match scenario.time.method {
-                Method::Rk4 => RK4,
-                Method::SspRk3 => SSP_RK3,
-            },
+            method: scenario.time.method,
             courant: scenario.time.courant,
             step: scenario.time.step.map(|step| step / time),
             end: scenario.time.end / time,
@@ -167,6 +164,14 @@ impl Plan {
     /// What the particles follow, in solver units.
     pub fn motion<S: Scalar, const D: usize>(&self) -> NamedField<S, D> {
         self.field.named()
+    }
+
+    /// Its Runge-Kutta method.
+    pub fn runge_kutta(&self) -> RungeKutta {
+        match self.method {
+            Method::Rk4 => RK4,
+            Method::SspRk3 => SSP_RK3,
+        }
     }
 
     /// The domain, in the scalar and dimension of the run.

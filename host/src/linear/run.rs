@@ -2,19 +2,16 @@
 
 use std::time::Instant;
 
-use motes_core::cutoff::CutOff;
-use motes_core::equation::linear::{
-    FirstOrderSystem, LinearDynamics, LinearWorkspace, NamedField, Place, State,
-};
+use motes_core::equation::linear::{Place, State};
 use motes_core::error::Error;
 use motes_core::integrator::Clock;
 use motes_core::scalar::Scalar;
 
-use super::arrays::LinearArrays;
 use super::growth::Monitor;
 use super::limits::LinearError;
 use super::outcome::{Cloud, Outcome, Sample};
 use super::plan::Plan;
+use super::solver::Solver;
 use crate::engine::{HostScalar, Threads};
 use crate::simulation::{RunError, Spread, check_memory};
 use crate::sums::compensated;
@@ -40,77 +37,64 @@ pub struct Control<'a> {
 }
 
 /// A plan in the scalar of the run.
-struct Run<'a, S, C, F, const D: usize, const P: usize> {
+struct Run<'a, S, V, const D: usize, const P: usize> {
     plan: &'a Plan,
-    solver: LinearDynamics<S, C, F, NamedField<S, D>, D, P>,
+    solver: V,
     clock: Clock<S>,
     step: Option<S>,
 }
 
-/// Runs a plan with one scalar, cut-off and system. `P` may exceed the components of the plan:
-/// those beyond stay 0.
-pub(super) fn run_with<S: HostScalar, C, F, const D: usize, const P: usize>(
+/// Runs a plan with one scalar and solver, which takes so many bytes a particle. `P` may exceed
+/// the components of the plan: those beyond stay 0.
+pub(super) fn run_with<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usize>(
     plan: &Plan,
     scalar: &str,
-    (cut_off, system): (C, F),
+    (solver, bytes): (V, usize),
     engine: &mut Threads,
     control: &mut Control<'_>,
-) -> Result<Outcome, LinearError>
-where
-    C: CutOff,
-    F: FirstOrderSystem<S, D, P>,
-{
-    let bytes = LinearArrays::<S, F::Medium, D, P>::bytes_per_particle();
+) -> Result<Outcome, LinearError> {
     check_memory(plan.weights.len(), bytes)?;
     plan.check_format::<S>(scalar)?;
-    let width = (cut_off, S::from_f64(plan.epsilon));
     let run = Run {
         plan,
-        solver: LinearDynamics::new(
-            plan.domain(),
-            width,
-            system,
-            plan.motion(),
-            S::from_f64(plan.courant),
-        ),
         clock: Clock::new(S::from_f64(plan.end)),
         step: plan.step.map(S::from_f64),
+        solver,
     };
-    run.complete(LinearArrays::new(plan.particles()), engine, control)
+    let mut arrays = run.solver.arrays(plan.particles().collect());
+    run.complete(&mut arrays, engine, control)
 }
 
-impl<S: HostScalar, C, F, const D: usize, const P: usize> Run<'_, S, C, F, D, P>
+impl<S: HostScalar, V, const D: usize, const P: usize> Run<'_, S, V, D, P>
 where
-    C: CutOff,
-    F: FirstOrderSystem<S, D, P>,
+    V: Solver<S, D, P>,
 {
     fn complete(
         mut self,
-        mut arrays: LinearArrays<S, F::Medium, D, P>,
+        arrays: &mut V::Arrays,
         engine: &mut Threads,
         control: &mut Control<'_>,
     ) -> Result<Outcome, LinearError> {
-        let (mut state, mut work) = arrays.parts();
+        let (mut state, mut work) = V::parts(arrays);
         let started = Instant::now();
         self.solver
             .prepare(engine, &mut state, &mut work)
             .map_err(|error| self.failed(error))?;
-        let rate = self.solver.system.growth().to_f64() / self.plan.unit_of_time();
-        let order = self.plan.method.order;
+        let rate = self.solver.growth();
+        let rate = rate.map(|rate| rate / self.plan.unit_of_time());
+        let order = self.solver.order();
         let mut monitor = Monitor::new(rate, order, self.plan.growth_margin, self.norm(&state));
         let first = self.sample(&state, &monitor, S::ZERO);
         let mut series = vec![first];
-        let mut sampled = 0.0;
+        let (mut sampled, mut sides) = (0.0, 0);
         let (mut smallest, mut largest) = (f64::INFINITY, 0.0f64);
         self.show(&state, control)?;
         while let Some(left) = self.clock.left() {
-            let dt = self.time_step(&state, left)?;
+            let dt = self.time_step(&state, &work, left)?;
             let source = self.source_norm(&state);
-            let method = &self.plan.method;
             let step = (self.clock.time, dt);
-            self.solver
-                .advance(method, engine, &mut state, &mut work, step)
-                .map_err(|error| self.failed(error))?;
+            let made = self.solver.advance(engine, &mut state, &mut work, step);
+            sides += u64::from(made.map_err(|error| self.failed(error))?);
             self.clock.tick(dt).map_err(|error| self.failed(error))?;
             let real_dt = dt.to_f64() * self.plan.unit_of_time();
             (smallest, largest) = (smallest.min(real_dt), largest.max(real_dt));
@@ -139,7 +123,13 @@ where
         let cloud = self.cloud(&state);
         let drift = self.drift(&series[0], &series[series.len() - 1]);
         let steps = self.clock.steps;
+        let undamped = self
+            .solver
+            .undamped(engine, &mut state, &mut work, self.clock.time)
+            .map_err(|error| self.failed(error))?;
         Ok(Outcome {
+            undamped,
+            sides,
             reconstruction: self.reconstruction(&state, &mut work, None)?,
             probe: match &self.plan.probe {
                 Some(points) => self.reconstruction(&state, &mut work, Some(points))?,
@@ -158,16 +148,20 @@ where
     }
 
     /// The step that is asked for, or the one that the solver makes.
-    fn time_step(&self, state: &State<'_, S, D, P>, left: S) -> Result<S, LinearError> {
-        let stability = self.plan.method.stability();
+    fn time_step(
+        &self,
+        state: &State<'_, S, D, P>,
+        work: &V::Work<'_>,
+        left: S,
+    ) -> Result<S, LinearError> {
         let time = self.clock.time;
         let Some(step) = self.step else {
             return self
                 .solver
-                .time_step(state, time, stability, left)
+                .time_step(state, work, time, left)
                 .map_err(|error| self.failed(error));
         };
-        match self.solver.stable_step(state, time, stability) {
+        match self.solver.stable_step(state, work, time) {
             Some(limit) if !(step <= limit) => Err(LinearError::Step {
                 step: step.to_f64() * self.plan.unit_of_time(),
                 limit: limit.to_f64() * self.plan.unit_of_time(),
@@ -230,7 +224,7 @@ where
 
     /// The same of the source, per time of the scenario's units.
     fn source_norm(&self, state: &State<'_, S, D, P>) -> f64 {
-        let norm = self.norm_of(state, |place, _| self.solver.system.source(place));
+        let norm = self.norm_of(state, |place, _| self.solver.source(place));
         norm / self.plan.unit_of_time()
     }
 
@@ -287,7 +281,7 @@ where
     fn reconstruction(
         &self,
         state: &State<'_, S, D, P>,
-        work: &mut LinearWorkspace<'_, S, F::Medium, D, P>,
+        work: &mut V::Work<'_>,
         points: Option<&[[f64; 3]]>,
     ) -> Result<Vec<f64>, LinearError> {
         let points = match points {
@@ -299,7 +293,7 @@ where
         };
         let mut values = vec![[S::ZERO; P]; points.len()];
         self.solver
-            .reconstruct(state, work, &points, &mut values)
+            .reconstruct(state, work, self.clock.time, &points, &mut values)
             .map_err(|error| self.failed(error))?;
         Ok(self.plain(&values))
     }

@@ -3,14 +3,16 @@
 #[cfg(all(feature = "every-scalar", not(test)))]
 use fixed::types::extra::{U12, U16, U18, U19, U20, U22, U32, U40, U48};
 use motes_core::cutoff::{CutOff, Named, QuinticSpline, Smooth};
-use motes_core::equation::linear::FirstOrderSystem;
+use motes_core::equation::linear::{FirstOrderSystem, LinearDynamics};
 #[cfg(all(feature = "every-scalar", not(test)))]
 use motes_core::scalar::{Checked, Micro, Q32, Q64};
 
+use super::arrays::LinearArrays;
 use super::limits::LinearError;
 use super::outcome::Outcome;
 use super::plan::Plan;
 use super::run::{Control, run_with};
+use super::solver::{FirstOrder, Solver};
 use crate::engine::{HostScalar, Threads};
 use crate::scenario::linear::System;
 use crate::simulation::ScalarName;
@@ -123,7 +125,12 @@ impl Call<'_, '_, '_> {
     }
 
     /// With a cut-off that is looked up for each pair.
-    fn with<S: HostScalar, F: FirstOrderSystem<S, D, P>, const D: usize, const P: usize>(
+    fn with<
+        S: HostScalar,
+        F: FirstOrderSystem<S, D, P> + 'static,
+        const D: usize,
+        const P: usize,
+    >(
         self,
         system: impl Fn(&Plan) -> Option<F>,
     ) -> Result<Outcome, LinearError> {
@@ -132,7 +139,12 @@ impl Call<'_, '_, '_> {
     }
 
     /// With the cut-offs that scenarios use most compiled into the loops: the same bits faster.
-    fn fast<S: HostScalar, F: FirstOrderSystem<S, D, P>, const D: usize, const P: usize>(
+    fn fast<
+        S: HostScalar,
+        F: FirstOrderSystem<S, D, P> + 'static,
+        const D: usize,
+        const P: usize,
+    >(
         self,
         system: impl Fn(&Plan) -> Option<F>,
     ) -> Result<Outcome, LinearError> {
@@ -154,16 +166,37 @@ impl Call<'_, '_, '_> {
     where
         S: HostScalar,
         C: CutOff,
-        F: FirstOrderSystem<S, D, P>,
+        F: FirstOrderSystem<S, D, P> + 'static,
     {
         let Some(system) = system(self.plan) else {
             return Err(self.refused());
         };
-        let law = (cut_off, system);
-        run_with::<S, C, F, D, P>(
+        let plan = self.plan;
+        let solver = FirstOrder {
+            dynamics: LinearDynamics::new(
+                plan.domain(),
+                (cut_off, S::from_f64(plan.epsilon)),
+                system,
+                plan.motion(),
+                S::from_f64(plan.courant),
+            ),
+            method: plan.runge_kutta(),
+        };
+        let bytes = LinearArrays::<S, F::Medium, D, P>::bytes_per_particle();
+        self.complete(solver, bytes)
+    }
+
+    /// Runs a solver that takes so many bytes a particle.
+    fn complete<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usize>(
+        self,
+        solver: V,
+        bytes: usize,
+    ) -> Result<Outcome, LinearError> {
+        let scalar = self.scalar.name();
+        run_with(
             self.plan,
-            self.scalar.name(),
-            law,
+            scalar,
+            (solver, bytes),
             self.engine,
             self.control,
         )

@@ -90,7 +90,7 @@ impl LinearSummary {
             components: plan.names.clone(),
             particles: outcome.cloud.len(),
             threads,
-            method: plan.method.name.to_owned(),
+            method: plan.method.name().to_owned(),
             spacing: plan.units.length,
             epsilon: plan.epsilon * plan.units.length,
             steps: outcome.steps,

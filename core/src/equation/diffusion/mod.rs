@@ -15,6 +15,7 @@ mod node;
 mod problem;
 mod rates;
 mod reaction;
+mod reconstruction;
 mod storage;
 mod wall;
 

@@ -126,23 +126,28 @@ where
     /// The first law of the mixed form, which has what all laws need.
     fn law(&self, time: S) -> Flux<S, C, D, P> {
         let inverse_epsilon = S::ONE / self.epsilon;
+        Flux {
+            cut_off: self.cut_off,
+            inverse_epsilon,
+            scale: self.cut_off.scale(inverse_epsilon),
+            height: S::from_f64(self.cut_off.normalisation::<D>()) / self.epsilon.powi(D),
+            walls: self.walls(time),
+        }
+    }
+
+    /// What holds at the walls.
+    pub(super) fn walls(&self, time: S) -> [[[Condition<S>; P]; 2]; D] {
         let mut walls = [[[Condition::NoFlux; P]; 2]; D];
         for (axis, ends) in walls.iter_mut().enumerate() {
             for (end, conditions) in ends.iter_mut().enumerate() {
                 *conditions = self.problem.wall(axis, end, time);
             }
         }
-        Flux {
-            cut_off: self.cut_off,
-            inverse_epsilon,
-            scale: self.cut_off.scale(inverse_epsilon),
-            height: S::from_f64(self.cut_off.normalisation::<D>()) / self.epsilon.powi(D),
-            walls,
-        }
+        walls
     }
 
     /// Nodes, in sorted order.
-    fn show(
+    pub(super) fn show(
         &self,
         state: &State<'_, S, D, P>,
         work: &mut DiffusionWorkspace<'_, S, D, P>,

@@ -62,7 +62,7 @@ impl<S: Scalar, const P: usize> Reaction<S, P> {
     }
 
     /// A bound of the `|eigenvalues|` of `∂f/∂u`: of a linear one by the sums of its rows; of the
-    /// others where they are meant to be, `-K <= u <= 2K` and `0 <= u, v <= 1`.
+    /// others where they are meant to be, `-K <= u <= 2K`, and `0 <= u <= 1`, `0 <= v <= 1/2`.
     pub fn bound(&self) -> S {
         match self {
             Self::None => S::ZERO,
@@ -71,7 +71,10 @@ impl<S: Scalar, const P: usize> Reaction<S, P> {
                 matrix.iter().map(sum).fold(S::ZERO, Scalar::greater)
             }
             Self::Logistic { rate, .. } => *rate + *rate + *rate,
-            Self::GrayScott { feed, kill, unit } => *unit * (S::count(3) + *feed + *kill),
+            Self::GrayScott { feed, kill, unit } => {
+                let turned = S::ONE + S::ONE.half().half();
+                *unit * (turned + *feed + *kill)
+            }
         }
     }
 }

@@ -135,7 +135,7 @@ impl Plan {
             epsilon: scenario.cut_off.width.epsilon(spacing) / spacing,
             method: match scenario.time.method {
                 Method::Rk4 => RK4,
-                Method::SspRk3 => SSP_RK3,
+                Method::SspRk3 | Method::Rkl2 => SSP_RK3,
             },
             courant: scenario.time.courant,
             step: scenario.time.step.map(|step| step / time),

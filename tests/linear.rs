@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use motes::comparison::Norms;
 use motes::engine::Threads;
 use motes::linear::{Control, Experiment, LinearError, Outcome, Plan};
-use motes::scenario::linear::{LinearScenario, Measured};
+use motes::scenario::linear::{LinearScenario, Measured, System};
 use motes::scenario::{AnyScenario, BUILT_IN, Norm, Source};
 use motes::simulation::RunError;
 
@@ -56,6 +56,12 @@ fn built_in() -> Vec<LinearScenario> {
         AnyScenario::read(source, &[]).unwrap()
     });
     all.filter_map(|scenario| match scenario {
+        // tests/diffusion.rs has those of convection-diffusion.
+        AnyScenario::Linear(scenario)
+            if matches!(scenario.system, System::ConvectionDiffusion(_)) =>
+        {
+            None
+        }
         AnyScenario::Linear(scenario) => Some(*scenario),
         AnyScenario::Gas(_) => None,
     })

@@ -25,7 +25,7 @@ pub(super) enum Command {
     List,
     /// Print a scenario's TOML, to copy and edit
     Show {
-        /// A built-in scenario, see `motes list`
+        /// A built-in scenario, see `motes list`, or a file that one names
         name: String,
     },
     /// Run the test suite against its exact solutions and write a report

@@ -79,6 +79,9 @@ fn list() -> Result<(), Failure> {
 
 /// `motes show NAME`.
 fn show(name: &str) -> Result<(), Failure> {
+    if let Some(file) = crate::scenario::shipped_file(name) {
+        return print(file.text);
+    }
     let source = Source::from(name);
     let text = source
         .text()

@@ -12,6 +12,20 @@ pub(super) fn doubts(scenario: &LinearScenario, plan: &Plan) -> Vec<String> {
         .collect()
 }
 
+/// The part of a state in waves of two spacings from which on the mixed form is told to be blind.
+const UNDAMPED: f64 = 0.02;
+
+/// A state with waves that the mixed form of diffusion does not see.
+pub(super) fn undamped(part: f64) -> Option<String> {
+    (part > UNDAMPED).then(|| {
+        format!(
+            "waves of two or three spacings make {:.1} % of the state at the end: the mixed form does \
+             not damp them; set system.form = \"direct\", or resolve the state at t = 0",
+            100.0 * part
+        )
+    })
+}
+
 /// Weights of a file that are no volumes.
 fn volume(scenario: &LinearScenario, plan: &Plan) -> Option<String> {
     let Arrangement::File(_) = scenario.resolution.arrangement else {

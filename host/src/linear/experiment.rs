@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::comparison::errors;
-use super::doubts::doubts;
+use super::doubts::{doubts, undamped};
 use super::limits::LinearError;
 use super::outcome::Outcome;
 use super::plan::Plan;
@@ -68,6 +68,7 @@ impl Experiment {
             .as_ref()
             .and_then(|exact| errors(exact.as_ref(), &outcome, &plan.names, window));
         let mut doubts = doubts(&scenario, &plan);
+        doubts.extend(undamped(outcome.undamped));
         if exact.is_some() && errors.is_none() {
             doubts.push("no particle is in output.window: there are no errors to tell".to_owned());
         }

@@ -3,11 +3,13 @@
 
 mod arrays;
 mod comparison;
+mod diffusion;
 mod doubts;
 mod experiment;
 mod field;
 mod growth;
 mod limits;
+mod media;
 mod outcome;
 mod plan;
 mod quadrature;

@@ -16,7 +16,7 @@ use super::limits::LinearError;
 use super::quadrature::Quadrature;
 use super::solution::solution;
 use crate::scenario;
-use crate::scenario::linear::{Field, LinearScenario, Method, System};
+use crate::scenario::linear::{Field, LinearScenario, Method, Reaction, System};
 use crate::simulation::{RunError, check_memory, check_numbers};
 use crate::symmetriser::Symmetriser;
 
@@ -52,6 +52,8 @@ pub struct Plan {
     pub epsilon: f64,
     /// The time integrator.
     pub method: Method,
+    /// For how many stages a step of the stabilised method is made.
+    pub stages: u32,
     /// Factor of the stable time step.
     pub courant: f64,
     /// The time step, if it is given.
@@ -105,7 +107,12 @@ impl Plan {
         let spacing = libm::pow(volume / count as f64, 1.0 / dimension as f64);
         let units = Units {
             length: spacing,
-            velocity: velocity(scenario, symmetriser.as_ref(), &quadrature.positions),
+            velocity: velocity(
+                scenario,
+                symmetriser.as_ref(),
+                &quadrature.positions,
+                spacing,
+            ),
         };
         let time = units.length / units.velocity;
         let middle = std::array::from_fn(|i| scenario.domain.extent.middle(i));
@@ -134,6 +141,7 @@ impl Plan {
             cut_off: scenario.cut_off.shape,
             epsilon: scenario.cut_off.width.epsilon(spacing) / spacing,
             method: scenario.time.method,
+            stages: scenario.time.stages as u32,
             courant: scenario.time.courant,
             step: scenario.time.step.map(|step| step / time),
             end: scenario.time.end / time,
@@ -166,11 +174,11 @@ impl Plan {
         self.field.named()
     }
 
-    /// Its Runge-Kutta method.
+    /// Its Runge-Kutta method; the classical one where it has none.
     pub fn runge_kutta(&self) -> RungeKutta {
         match self.method {
-            Method::Rk4 => RK4,
             Method::SspRk3 => SSP_RK3,
+            Method::Rk4 | Method::Rkl2 => RK4,
         }
     }
 
@@ -218,6 +226,9 @@ impl Plan {
     }
 }
 
+/// The most units of time that diffusion is given.
+const LONGEST: f64 = 1024.0;
+
 /// The power of two below the largest of some values; 1 where all are 0.
 fn amplitude(values: &[f64]) -> f64 {
     let largest = values.iter().map(|u| u.abs()).fold(0.0, f64::max);
@@ -251,6 +262,7 @@ fn velocity(
     scenario: &LinearScenario,
     symmetriser: Option<&Symmetriser>,
     positions: &[[f64; 3]],
+    spacing: f64,
 ) -> f64 {
     let waves = scenario.system.wave_speed();
     let waves = symmetriser.map_or(waves, |symmetriser| symmetriser.speed);
@@ -268,11 +280,25 @@ fn velocity(
     };
     let flow = flow.map_or(0.0, fastest);
     let fastest = waves.max(flow).max(fastest(&scenario.motion));
+    let fastest = match &scenario.system {
+        System::ConvectionDiffusion(problem) => {
+            let largest = problem.diffusivity.iter().copied().fold(0.0, f64::max);
+            let conducted = largest * problem.profile.largest() / spacing;
+            // Diffusion over many spacings takes many times spacing^2/b: no format need count them.
+            fastest
+                .max(conducted)
+                .min(LONGEST * spacing / scenario.time.end)
+        }
+        _ => fastest,
+    };
     if fastest > 0.0 { fastest } else { 1.0 }
 }
 
 /// Whether nothing changes the sums of the strengths.
 fn is_conserving(scenario: &LinearScenario) -> bool {
+    if let System::ConvectionDiffusion(problem) = &scenario.system {
+        return problem.reaction == Reaction::None && problem.is_closed();
+    }
     let sides = scenario.domain.sides.iter().flatten();
     let walls = sides
         .filter(|&&side| side == scenario::Side::Mirror)

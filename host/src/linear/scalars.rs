@@ -3,18 +3,21 @@
 #[cfg(all(feature = "every-scalar", not(test)))]
 use fixed::types::extra::{U12, U16, U18, U19, U20, U22, U32, U40, U48};
 use motes_core::cutoff::{CutOff, Named, QuinticSpline, Smooth};
+use motes_core::equation::diffusion::DiffusionDynamics;
 use motes_core::equation::linear::{FirstOrderSystem, LinearDynamics};
 #[cfg(all(feature = "every-scalar", not(test)))]
 use motes_core::scalar::{Checked, Micro, Q32, Q64};
 
-use super::arrays::LinearArrays;
+use super::arrays::{DiffusionArrays, LinearArrays};
+use super::diffusion::{Diffusion, Stepping};
 use super::limits::LinearError;
+use super::media::form;
 use super::outcome::Outcome;
 use super::plan::Plan;
 use super::run::{Control, run_with};
 use super::solver::{FirstOrder, Solver};
 use crate::engine::{HostScalar, Threads};
-use crate::scenario::linear::System;
+use crate::scenario::linear::{Method, System};
 use crate::simulation::ScalarName;
 
 /// A run with everything but its types chosen.
@@ -96,6 +99,18 @@ impl Call<'_, '_, '_> {
             (System::Matrices { .. }, 1) => in_components!(self, S, 1),
             (System::Matrices { .. }, 2) => in_components!(self, S, 2),
             (System::Matrices { .. }, _) => in_components!(self, S, 3),
+            (System::ConvectionDiffusion(_), 1) if self.plan.names.len() > 1 => {
+                self.diffusion::<S, 1, 4>()
+            }
+            (System::ConvectionDiffusion(_), 2) => match self.plan.names.len() {
+                0..=1 => self.fast_diffusion::<S, 2, 1>(),
+                2 => self.fast_diffusion::<S, 2, 2>(),
+                _ => self.diffusion::<S, 2, 4>(),
+            },
+            (System::ConvectionDiffusion(_), 3) => match self.plan.names.len() {
+                0..=1 => self.diffusion::<S, 3, 1>(),
+                _ => self.diffusion::<S, 3, 4>(),
+            },
             _ => self.in_fixed_point::<S>(),
         }
     }
@@ -107,6 +122,9 @@ impl Call<'_, '_, '_> {
             (System::Transport { .. }, 1) => self.with::<S, _, 1, 1>(Plan::transport),
             (System::Acoustics { .. }, 1) => self.with::<S, _, 1, 2>(Plan::acoustics),
             (System::Telegraph { .. }, _) => self.with::<S, _, 1, 2>(Plan::telegraph),
+            (System::ConvectionDiffusion(of), 1) if of.species.len() == 1 => {
+                self.diffusion::<S, 1, 1>()
+            }
             _ => Err(self.refused()),
         }
     }
@@ -183,6 +201,54 @@ impl Call<'_, '_, '_> {
             method: plan.runge_kutta(),
         };
         let bytes = LinearArrays::<S, F::Medium, D, P>::bytes_per_particle();
+        self.complete(solver, bytes)
+    }
+
+    /// Convection-diffusion, with a cut-off that is looked up for each pair.
+    fn diffusion<S: HostScalar, const D: usize, const P: usize>(
+        self,
+    ) -> Result<Outcome, LinearError> {
+        let cut_off = self.plan.cut_off;
+        self.diffusion_with::<S, _, D, P>(cut_off)
+    }
+
+    /// The same with the usual cut-off compiled into the loops.
+    fn fast_diffusion<S: HostScalar, const D: usize, const P: usize>(
+        self,
+    ) -> Result<Outcome, LinearError> {
+        match self.plan.cut_off {
+            Named::QuinticSpline if !cfg!(test) => self.diffusion_with::<S, _, D, P>(QuinticSpline),
+            _ => self.diffusion::<S, D, P>(),
+        }
+    }
+
+    fn diffusion_with<S: HostScalar, C: CutOff, const D: usize, const P: usize>(
+        self,
+        cut_off: C,
+    ) -> Result<Outcome, LinearError> {
+        let plan = self.plan;
+        let Some(problem) = plan.convection_diffusion() else {
+            return Err(self.refused());
+        };
+        let media = plan.media(problem);
+        let (form, mean) = form(problem);
+        let solver = Diffusion {
+            dynamics: DiffusionDynamics {
+                domain: plan.domain(),
+                cut_off,
+                epsilon: S::from_f64(plan.epsilon),
+                problem: plan.problem::<S, D, P>(problem, &media),
+                field: plan.motion::<S, D>(),
+                form,
+                mean,
+                courant: S::from_f64(plan.courant),
+            },
+            stepping: match plan.method {
+                Method::Rkl2 => Stepping::Stabilised(plan.stages),
+                Method::Rk4 | Method::SspRk3 => Stepping::RungeKutta(plan.runge_kutta()),
+            },
+        };
+        let bytes = DiffusionArrays::<S, D, P>::bytes_per_particle();
         self.complete(solver, bytes)
     }
 

@@ -28,6 +28,9 @@ pub fn solution(scenario: &LinearScenario) -> Result<Option<Box<dyn Solution>>, 
     let Some(initial) = &scenario.initial else {
         return Ok(None);
     };
+    if let System::ConvectionDiffusion(_) = scenario.system {
+        return Ok(None);
+    }
     let solution: Box<dyn Solution> = match initial {
         Initial::Gaussian {
             center,

@@ -35,6 +35,8 @@ pub struct LinearSummary {
     pub epsilon: f64,
     /// Steps made.
     pub steps: u64,
+    /// Right-hand sides that they took.
+    pub right_hand_sides: u64,
     /// Time reached.
     pub time: f64,
     /// The smallest and the largest time step.
@@ -63,8 +65,9 @@ pub struct EnergyJson {
     pub first: f64,
     /// At the end.
     pub last: f64,
-    /// What no solution exceeds at the end.
-    pub bound: f64,
+    /// What no solution exceeds at the end; `null` where nothing bounds them: driven walls, some
+    /// reactions, a tensor in the direct form.
+    pub bound: Option<f64>,
 }
 
 impl LinearSummary {
@@ -94,6 +97,7 @@ impl LinearSummary {
             spacing: plan.units.length,
             epsilon: plan.epsilon * plan.units.length,
             steps: outcome.steps,
+            right_hand_sides: outcome.sides,
             time: outcome.time,
             time_step: [outcome.smallest_step, outcome.largest_step],
             seconds: outcome.seconds,
@@ -108,7 +112,7 @@ impl LinearSummary {
             energy_norm: EnergyJson {
                 first: first.energy.norm,
                 last: last.energy.norm,
-                bound: last.energy.bound,
+                bound: Some(last.energy.bound).filter(|bound| bound.is_finite()),
             },
             neighbours: SpreadJson { min, mean, max },
             digest: outcome.digest.to_string(),
@@ -141,9 +145,9 @@ impl fmt::Display for LinearSummary {
         )?;
         writeln!(
             f,
-            "{} steps of {} to t = {:?} in {:.3} s: {per_step:.1} us a step, {updates:.2} million \
-             particle updates/s",
-            self.steps, self.method, self.time, self.seconds
+            "{} steps of {}, {} right-hand sides, to t = {:?} in {:.3} s: {per_step:.1} us a step, \
+             {updates:.2} million particle updates/s",
+            self.steps, self.method, self.right_hand_sides, self.time, self.seconds
         )?;
         if let Some(errors) = &self.errors {
             writeln!(f, "\n{:<16}{:>12}{:>12}{:>12}", "error", "L1", "L2", "Linf")?;
@@ -172,10 +176,8 @@ impl fmt::Display for LinearSummary {
             )?,
         }
         let EnergyJson { first, last, bound } = self.energy_norm;
-        writeln!(
-            f,
-            "energy     norm {first:.6e} to {last:.6e}, bound {bound:.6e}"
-        )?;
+        let bound = bound.map_or("no bound".to_owned(), |bound| format!("bound {bound:.6e}"));
+        writeln!(f, "energy     norm {first:.6e} to {last:.6e}, {bound}")?;
         ending(
             f,
             self.time_step,

@@ -46,6 +46,12 @@ pub(super) const AMPLITUDE: Bound = Bound {
            would fall to 0",
 };
 
+pub(super) const PART: Bound = Bound {
+    need: ">= -1 and at most 1",
+    holds: |value| (-1.0..=1.0).contains(&value),
+    cure: "give a part, for example 0.5: beyond 1 the diffusivity would fall below 0",
+};
+
 pub(super) const THETA: Bound = Bound {
     need: "> 0 and at most 1",
     holds: |value| value > 0.0 && value <= 1.0,

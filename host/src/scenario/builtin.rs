@@ -56,6 +56,26 @@ built_in! {
     "linearised-gas"
 }
 
+/// A file that a built-in scenario names: `motes show NAME` prints it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ShippedFile {
+    /// What scenarios call it.
+    pub name: &'static str,
+    /// All of it.
+    pub text: &'static str,
+}
+
+/// All of them.
+pub const SHIPPED_FILES: &[ShippedFile] = &[ShippedFile {
+    name: "wall-day.csv",
+    text: include_str!("../../../scenarios/wall-day.csv"),
+}];
+
+/// The file of this name that comes with the program, if there is one.
+pub fn shipped_file(name: &str) -> Option<&'static ShippedFile> {
+    SHIPPED_FILES.iter().find(|file| file.name == name)
+}
+
 /// The built-in scenario of this name, if there is one.
 pub fn built_in(name: &str) -> Option<&'static BuiltIn> {
     BUILT_IN.iter().find(|scenario| scenario.name == name)

@@ -1,12 +1,12 @@
 //! From TOML text to a checked scenario.
 
 use std::ops::Range;
-use std::path::Path;
 
 use toml::Spanned;
 use toml::de::DeTable;
 
 use super::error::{Fault, ScenarioError};
+use super::files::Files;
 use super::keys::{Family, ROOT};
 use super::problem::Problem;
 use super::section::Section;
@@ -17,41 +17,41 @@ use super::{
     tolerance,
 };
 
-/// Reads a source with the `overrides` on top, through `parsed`: it gets the text and the
-/// folder of the files that the text names.
+/// Reads a source with the `overrides` on top, through `parsed`: it gets the text and
+/// where the files are that the text names.
 pub(super) fn read<T>(
     source: &Source,
     overrides: &[String],
-    parsed: impl FnOnce(&str, &Path) -> Result<T, Fault>,
+    parsed: impl FnOnce(&str, Files<'_>) -> Result<T, Fault>,
 ) -> Result<T, ScenarioError> {
     let (mut text, mut name) = (source.text()?, source.to_string());
     if !overrides.is_empty() {
         text = set::with_overrides(&text, &name, overrides)?;
         name.push_str(" after --set");
     }
-    parsed(&text, source.folder()).map_err(|fault| fault.within(&name, &text))
+    parsed(&text, source.files()).map_err(|fault| fault.within(&name, &text))
 }
 
 /// A scenario of either family.
-pub(super) fn any(text: &str, folder: &Path) -> Result<AnyScenario, Fault> {
+pub(super) fn any(text: &str, files: Files<'_>) -> Result<AnyScenario, Fault> {
     let document = document(text)?;
     let (family, _) = family(&document);
     Ok(match family {
-        Family::Gas => AnyScenario::Gas(Box::new(gas(text, folder)?)),
-        Family::Linear => AnyScenario::Linear(Box::new(linear(text, folder)?)),
+        Family::Gas => AnyScenario::Gas(Box::new(gas(text, files)?)),
+        Family::Linear => AnyScenario::Linear(Box::new(linear(text, files)?)),
     })
 }
 
 /// A scenario that describes a gas.
-pub(super) fn gas(text: &str, folder: &Path) -> Result<Scenario, Fault> {
+pub(super) fn gas(text: &str, files: Files<'_>) -> Result<Scenario, Fault> {
     let document = document(text)?;
-    scenario(&root(text, &document, Family::Gas)?, folder, text)
+    scenario(&root(text, &document, Family::Gas)?, files, text)
 }
 
 /// A scenario that describes a linear system.
-pub(super) fn linear(text: &str, folder: &Path) -> Result<LinearScenario, Fault> {
+pub(super) fn linear(text: &str, files: Files<'_>) -> Result<LinearScenario, Fault> {
     let document = document(text)?;
-    linear::scenario(&root(text, &document, Family::Linear)?, folder, text)
+    linear::scenario(&root(text, &document, Family::Linear)?, files, text)
 }
 
 fn document(text: &str) -> Result<Spanned<DeTable<'_>>, Fault> {
@@ -114,14 +114,14 @@ pub(super) fn heading(root: &Section<'_>) -> Result<Heading, Fault> {
     })
 }
 
-fn scenario(root: &Section<'_>, folder: &Path, text: &str) -> Result<Scenario, Fault> {
+fn scenario(root: &Section<'_>, files: Files<'_>, text: &str) -> Result<Scenario, Fault> {
     let section = |key| root.required(key)?.section();
     let heading = heading(root)?;
     let (dimension, domain) = (heading.dimension, heading.domain);
     let gas = state(root, &domain)?;
     let resolution = resolution::resolution(
         &section("resolution")?,
-        folder,
+        files.folder(),
         &domain,
         gas.profile.as_ref(),
     )?;

@@ -30,29 +30,41 @@ pub(super) struct Place {
     pub span: Range<usize>,
 }
 
-/// A problem at some bytes of a text that the caller knows.
+/// A problem at some bytes of the scenario, or of a file that it names.
 #[derive(Debug)]
 pub(super) struct Fault {
     pub problem: Box<Problem>,
     pub span: Range<usize>,
+    /// What the bytes are of, where it is not the scenario: name and text.
+    file: Option<Box<(String, String)>>,
 }
 
 impl Fault {
     pub fn new(problem: Problem, span: Range<usize>) -> Self {
         let problem = Box::new(problem);
-        Self { problem, span }
+        Self {
+            problem,
+            span,
+            file: None,
+        }
     }
 
-    /// The error, once it is known which text the bytes belong to.
+    /// A problem at some bytes of a file that the scenario names.
+    pub fn of_file(problem: Problem, span: Range<usize>, name: String, text: String) -> Self {
+        Self {
+            file: Some(Box::new((name, text))),
+            ..Self::new(problem, span)
+        }
+    }
+
+    /// The error, once it is known what the scenario is called and how it reads.
     pub fn within(self, name: &str, text: &str) -> ScenarioError {
-        ScenarioError::new(
-            *self.problem,
-            Place {
-                name: name.to_owned(),
-                text: text.to_owned(),
-                span: self.span,
-            },
-        )
+        let (name, text) = match self.file {
+            Some(file) => *file,
+            None => (name.to_owned(), text.to_owned()),
+        };
+        let span = self.span;
+        ScenarioError::new(*self.problem, Place { name, text, span })
     }
 }
 

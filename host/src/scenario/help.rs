@@ -116,7 +116,7 @@ impl Problem {
             Self::Width { both: false } => "add `eta = 1.2` (width in mean spacings, adapts to \
                  the density) or `epsilon = 0.01` (constant width, a length)"
                 .to_owned(),
-            Self::DoesNotFit { cure, .. } => cure.clone(),
+            Self::DoesNotFit { cure, .. } | Self::Table { cure, .. } => cure.clone(),
             Self::Gas { both: true } => "keep one: [profile], or every [[region]]".to_owned(),
             Self::Gas { both: false } => "add a [[region]] with lower, upper, density, velocity \
                  and pressure, or a [profile] with its kind"

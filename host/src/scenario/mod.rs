@@ -11,6 +11,7 @@ mod check;
 mod cut_off;
 mod entry;
 mod error;
+mod files;
 mod geometry;
 mod help;
 mod inflow;
@@ -32,7 +33,7 @@ mod tests;
 mod tolerance;
 
 pub use any::AnyScenario;
-pub use builtin::{BUILT_IN, BuiltIn, built_in};
+pub use builtin::{BUILT_IN, BuiltIn, SHIPPED_FILES, ShippedFile, built_in, shipped_file};
 pub use cut_off::{CutOff, Width};
 pub use error::ScenarioError;
 pub use inflow::Inflow;

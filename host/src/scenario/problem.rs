@@ -130,6 +130,9 @@ pub enum Problem {
     /// Both widths of the cut-off, or neither.
     #[error("[cut-off] has {}", if *both { "both eta and epsilon" } else { "neither eta nor epsilon" })]
     Width { both: bool },
+    /// A heading or a row of a file that the scenario names.
+    #[error("{message}")]
+    Table { message: String, cure: String },
     /// A value that does not go with the rest of the scenario.
     #[error("{key} = {value} does not fit: {reason}")]
     DoesNotFit {
@@ -160,7 +163,7 @@ pub enum Problem {
         section: String,
         known: Vec<&'static str>,
     },
-    /// A `--set` of a region, material or deposit that does not exist.
+    /// A `--set` of a region, material, deposit or wall that does not exist.
     #[error("--set {key}: there is no {list} {index}, the file has {count}")]
     SetIndex {
         key: String,

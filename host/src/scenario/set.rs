@@ -10,7 +10,8 @@ use super::problem::Problem;
 /// The text with the changes made, comments and the order of keys kept.
 ///
 /// A change to one of `cut-off.eta` (with `theta`) and `cut-off.epsilon` takes out the other,
-/// since a scenario has exactly one of them; so with `every` and `steps` of snapshots.
+/// since a scenario has exactly one of them; so with `every` and `steps` of snapshots, and with
+/// `step` and `stages` of time.
 pub(super) fn with_overrides(
     text: &str,
     name: &str,
@@ -168,6 +169,8 @@ fn put(table: &mut dyn TableLike, key: &str, mut value: Value) {
     match key {
         "eta" => drop(table.remove("epsilon")),
         "epsilon" => drop((table.remove("eta"), table.remove("theta"))),
+        "step" => drop(table.remove("stages")),
+        "stages" => drop(table.remove("step")),
         "every" => drop(table.remove("steps")),
         "steps" => drop(table.remove("every")),
         _ => {}

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::builtin::{BUILT_IN, built_in};
 use super::error::{Place, ScenarioError};
+use super::files::Files;
 use super::problem::Problem;
 
 /// What a scenario is read from.
@@ -40,11 +41,11 @@ impl fmt::Display for Source {
 }
 
 impl Source {
-    /// The folder that files named in the text are looked for in.
-    pub(super) fn folder(&self) -> &Path {
+    /// Where files named in the text are looked for.
+    pub(super) fn files(&self) -> Files<'_> {
         match self {
-            Self::BuiltIn(_) => Path::new(""),
-            Self::File(path) => path.parent().unwrap_or(Path::new("")),
+            Self::BuiltIn(_) => Files::Shipped,
+            Self::File(path) => Files::Folder(path.parent().unwrap_or(Path::new(""))),
         }
     }
 

@@ -1,4 +1,4 @@
-//! A CSV file of particles as rows of numbers, with faults that name line, field and cure.
+//! A CSV file of particles or times as rows of numbers, with faults that name line, field and cure.
 
 use std::fmt;
 use std::ops::Range;
@@ -65,8 +65,7 @@ pub(crate) fn read<T>(
             "give a CSV file with a heading and a row a particle",
         )
     })?;
-    let result = Table::of(&text).and_then(|table| parsed(&table));
-    result.map_err(|fault| {
+    parse(&text, "particle", parsed).map_err(|fault| {
         Box::new(CloudError {
             message: fault.message,
             help: fault.help,
@@ -75,11 +74,20 @@ pub(crate) fn read<T>(
     })
 }
 
+/// Parses the text of a file with a row for `each` of something.
+pub(crate) fn parse<T>(
+    text: &str,
+    each: &'static str,
+    parsed: impl FnOnce(&Table<'_>) -> Result<T, Fault>,
+) -> Result<T, Fault> {
+    Table::of(text, each).and_then(|table| parsed(&table))
+}
+
 /// Something wrong at some bytes of the text.
 pub(crate) struct Fault {
-    message: String,
-    help: String,
-    span: Range<usize>,
+    pub(crate) message: String,
+    pub(crate) help: String,
+    pub(crate) span: Range<usize>,
 }
 
 impl Fault {
@@ -96,17 +104,22 @@ impl Fault {
 /// The text of a file, and its heading.
 pub(crate) struct Table<'a> {
     text: &'a str,
+    each: &'static str,
     heading: csv::StringRecord,
 }
 
 impl<'a> Table<'a> {
-    fn of(text: &'a str) -> Result<Self, Fault> {
+    fn of(text: &'a str, each: &'static str) -> Result<Self, Fault> {
         let heading = reader(text).headers().cloned();
         let heading = heading.map_err(|error| {
             let line = 0..text.find('\n').unwrap_or(text.len());
             Fault::new(error.to_string(), "give a heading", line)
         })?;
-        Ok(Self { text, heading })
+        Ok(Self {
+            text,
+            each,
+            heading,
+        })
     }
 
     /// Where the heading stands.
@@ -163,12 +176,9 @@ impl<'a> Table<'a> {
         for record in reader(self.text).records() {
             let record = record.map_err(|error| broken(self.text, &error))?;
             if count == LARGEST {
-                let message = format!("more than {LARGEST} particles");
-                return Err(Fault::new(
-                    message,
-                    "give fewer particles",
-                    self.first_line(),
-                ));
+                let message = format!("more than {LARGEST} {}s", self.each);
+                let help = format!("give fewer {}s", self.each);
+                return Err(Fault::new(message, help, self.first_line()));
             }
             count += 1;
             take(&Row {
@@ -179,12 +189,9 @@ impl<'a> Table<'a> {
         if count > 0 {
             return Ok(());
         }
-        let message = "there are no particles in the file".to_owned();
-        Err(Fault::new(
-            message,
-            "add a row a particle",
-            self.first_line(),
-        ))
+        let message = format!("there are no {}s in the file", self.each);
+        let help = format!("add a row a {}", self.each);
+        Err(Fault::new(message, help, self.first_line()))
     }
 }
 

@@ -2,9 +2,6 @@
 
 use super::{Key, ROOT, key};
 
-/// The sections of which a file may have several, numbered from 0.
-pub(in crate::scenario) const LISTS: [&str; 3] = ["region", "material", "deposit"];
-
 /// Every section with its keys.
 pub(super) const SECTIONS: &[(&str, &[Key])] = &[
     (

@@ -4,7 +4,10 @@
 mod gas;
 mod linear;
 
-pub(super) use gas::LISTS;
+use std::borrow::Cow;
+
+/// The sections of which a file may have several, numbered from 0.
+pub(super) const LISTS: [&str; 4] = ["region", "material", "deposit", "wall"];
 
 /// A key that a section may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -114,20 +117,29 @@ pub(super) fn sections(
 }
 
 /// The keys of a section (`""` for those above all sections; `region.3` is a
-/// `region`, `tolerance.density` a `tolerance.FIELD`); none if there is no such section.
+/// `region`, `wall.0.series` a `wall.series`, `tolerance.density` a `tolerance.FIELD`); none if
+/// there is no such section.
 pub(super) fn keys_of(family: Family, section: &str) -> &'static [Key] {
     let kind = match section.split_once('.') {
-        Some((list, index))
-            if LISTS.contains(&list) && index.bytes().all(|b| b.is_ascii_digit()) =>
-        {
-            list
-        }
-        Some((TOLERANCE, field)) if !field.contains('.') => "tolerance.FIELD",
-        _ => section,
+        Some((TOLERANCE, field)) if !field.contains('.') => Cow::Borrowed("tolerance.FIELD"),
+        _ => without_number(section),
     };
     sections(family)
         .find(|(name, _)| *name == kind)
         .map_or(&[], |(_, keys)| keys)
+}
+
+/// A section of a list without its number.
+fn without_number(section: &str) -> Cow<'_, str> {
+    let mut parts = section.splitn(3, '.');
+    match (parts.next(), parts.next(), parts.next()) {
+        (Some(list), Some(index), inner)
+            if LISTS.contains(&list) && index.bytes().all(|b| b.is_ascii_digit()) =>
+        {
+            inner.map_or(Cow::Borrowed(list), |inner| Cow::Owned(path(list, inner)))
+        }
+        _ => Cow::Borrowed(section),
+    }
 }
 
 /// Whether a section has a key of that name.

@@ -56,7 +56,8 @@ const KINDS: [(&str, &[&str]); 6] = [
     ("wave", &["amplitude"]),
 ];
 
-/// What the particles of a transported quantity do unless told: they go with it.
+/// What the particles of a transported quantity do unless told, and those of convection-diffusion
+/// always: they go with it.
 const FLOW: &str = "flow";
 
 impl Field {
@@ -100,6 +101,7 @@ impl Field {
 pub(super) fn motion(root: &Section<'_>, system: &System, domain: &Domain) -> Result<Field, Fault> {
     let usual = match system {
         System::Transport { velocity, .. } => velocity,
+        System::ConvectionDiffusion(diffusion) => &diffusion.velocity,
         _ => &Field::Still,
     };
     let Some(entry) = root.optional("motion") else {
@@ -107,10 +109,17 @@ pub(super) fn motion(root: &Section<'_>, system: &System, domain: &Domain) -> Re
     };
     let section = entry.section()?;
     let kind = section.required("kind")?;
+    let is_diffusion = matches!(system, System::ConvectionDiffusion(_));
     if kind.text()? != FLOW {
+        if is_diffusion {
+            let reason = "diffusion runs on particles that follow the velocity of the system";
+            let cure =
+                "set kind = \"flow\", or take [motion] out: system.velocity says how they move";
+            return Err(kind.does_not_fit(reason.to_owned(), cure));
+        }
         return field(&entry, domain);
     }
-    if !matches!(system, System::Transport { .. }) {
+    if !is_diffusion && !matches!(system, System::Transport { .. }) {
         let reason = format!("{} has no velocity that could be followed", system.name());
         return Err(kind.does_not_fit(reason, "set kind = \"still\", or give another field"));
     }

@@ -79,6 +79,7 @@ fn kinds_of(system: &System, dimension: usize) -> &'static [&'static str] {
         (System::Acoustics { .. }, 2) => &["gaussian", "plane-wave"],
         (System::Telegraph { .. } | System::MaxwellTe { .. }, _) => &["standing-wave"],
         (System::Matrices { .. }, _) => &["modes"],
+        (System::ConvectionDiffusion(_), _) => &["gaussian", "modes"],
         _ => &["plane-wave"],
     }
 }

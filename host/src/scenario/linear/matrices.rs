@@ -41,28 +41,37 @@ pub(super) fn matrices(section: &Section<'_>, dimension: usize) -> Result<System
                     in one dimension";
         return Err(flux.does_not_fit(reason, cure));
     }
-    let flux = entries.iter().map(|entry| matrix(entry, components));
+    let flux = entries
+        .iter()
+        .map(|entry| matrix(entry, components, "components"));
     Ok(System::Matrices {
         components,
         flux: flux.collect::<Result<_, _>>()?,
         decay: match section.optional("decay") {
-            Some(entry) => matrix(&entry, components)?,
+            Some(entry) => matrix(&entry, components, "components")?,
             None => vec![0.0; components * components],
         },
         names: match section.optional("names") {
-            Some(entry) => names(&entry, components)?,
+            Some(entry) => component_names(&entry, components)?,
             None => (0..components).map(|i| format!("u{i}")).collect(),
         },
     })
 }
 
-/// A square matrix, row by row.
-fn matrix(entry: &Entry<'_>, size: usize) -> Result<Vec<f64>, Fault> {
-    let cure = format!("give {size} rows of {size} numbers, or another number of components");
+/// A square matrix, row by row; `what` has as many as there are rows.
+pub(super) fn matrix(
+    entry: &Entry<'_>,
+    size: usize,
+    what: &'static str,
+) -> Result<Vec<f64>, Fault> {
+    let cure = match what {
+        "dimension" => format!("give {size} rows of {size} numbers, or another dimension"),
+        _ => format!("give {size} rows of {size} numbers, or another number of {what}"),
+    };
     let rows = entry.list("a matrix: a list of rows")?;
     if rows.len() != size {
         let found = rows.len();
-        let reason = format!("the number of its rows is {found}, components = {size}");
+        let reason = format!("the number of its rows is {found}, {what} = {size}");
         return Err(entry.does_not_fit(reason, &cure));
     }
     let mut numbers = Vec::with_capacity(size * size);
@@ -70,8 +79,7 @@ fn matrix(entry: &Entry<'_>, size: usize) -> Result<Vec<f64>, Fault> {
         let columns = row.list("a row: a list of numbers")?;
         if columns.len() != size {
             let found = columns.len();
-            let reason =
-                format!("the number of entries of this row is {found}, components = {size}");
+            let reason = format!("the number of entries of this row is {found}, {what} = {size}");
             return Err(row.does_not_fit(reason, &cure));
         }
         for entry in columns {
@@ -81,14 +89,19 @@ fn matrix(entry: &Entry<'_>, size: usize) -> Result<Vec<f64>, Fault> {
     Ok(numbers)
 }
 
-/// Names of the components that can head the columns of a file.
-fn names(entry: &Entry<'_>, components: usize) -> Result<Vec<String>, Fault> {
+/// One name a component.
+fn component_names(entry: &Entry<'_>, components: usize) -> Result<Vec<String>, Fault> {
     let entries = entry.list("a list of names")?;
     if entries.len() != components {
         let found = entries.len();
         let reason = format!("the number of names is {found}, components = {components}");
         return Err(entry.does_not_fit(reason, "give one name a component"));
     }
+    names(&entries)
+}
+
+/// Names that can head the columns of a file, no two alike.
+pub(super) fn names(entries: &[Entry<'_>]) -> Result<Vec<String>, Fault> {
     let mut names: Vec<String> = Vec::new();
     for entry in entries {
         let name = entry.text()?;
@@ -105,8 +118,8 @@ fn names(entry: &Entry<'_>, components: usize) -> Result<Vec<String>, Fault> {
             return Err(entry.does_not_fit(reason, cure));
         }
         if names.iter().any(|other| other == name) {
-            let reason = "another component has the same name".to_owned();
-            return Err(entry.does_not_fit(reason, "give each component a name of its own"));
+            let reason = "another one has the same name".to_owned();
+            return Err(entry.does_not_fit(reason, "give each a name of its own"));
         }
         names.push(name.to_owned());
     }

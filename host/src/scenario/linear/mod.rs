@@ -1,28 +1,38 @@
-//! Linear first-order systems `∂u/∂t + Σ_i ∂_i(A^i u) + A⁰ u = f` on particles that move with
-//! a field of velocities.
+//! Linear first-order systems `∂u/∂t + Σ_i ∂_i(A^i u) + A⁰ u = f`, and convection-diffusion
+//! `∂u/∂t + div(a u) - div(b grad u) = f`, on particles that move with a field of velocities.
 
+mod conductor;
+mod diffusion;
 mod field;
 mod initial;
 mod matrices;
 mod output;
+mod reaction;
 mod resolution;
+mod series;
 mod system;
+mod tensor;
 mod time;
-
-use std::path::Path;
+mod wall;
 
 use super::error::{Fault, ScenarioError};
+use super::files::Files;
 use super::section::Section;
 use super::source::Source;
 use super::tolerance::Tolerance;
 use super::{CutOff, Domain, Side, Units, check, cut_off};
 
+pub use conductor::Conductor;
+pub use diffusion::{ConvectionDiffusion, Form, Mean, Modulation};
 pub use field::Field;
 pub use initial::Initial;
 pub use output::{Measured, Output, Probe};
+pub use reaction::Reaction;
 pub use resolution::{Arrangement, Resolution};
+pub use series::Series;
 pub use system::System;
 pub use time::{Method, Time};
+pub use wall::{Drive, WallCondition};
 
 /// A linear first-order system to solve. All numbers are in the scenario's own units.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,15 +92,16 @@ impl LinearScenario {
 /// The scenario of a text.
 pub(super) fn scenario(
     root: &Section<'_>,
-    folder: &Path,
+    files: Files<'_>,
     text: &str,
 ) -> Result<LinearScenario, Fault> {
     let heading = check::heading(root)?;
     let domain = heading.domain;
     check_sides(root, &domain)?;
-    let system = system::system(root, &domain)?;
+    let system = system::system(root, &domain, files)?;
     check_walls(root, &domain, &system)?;
-    let resolution = resolution::resolution(&root.required("resolution")?.section()?, folder)?;
+    let section = root.required("resolution")?.section()?;
+    let resolution = resolution::resolution(&section, files.folder())?;
     let in_file = matches!(resolution.arrangement, Arrangement::File(_));
     let initial = match root.optional("initial") {
         None if in_file => None,
@@ -98,6 +109,7 @@ pub(super) fn scenario(
         Some(entry) => Some(initial::initial(&entry.section()?, &system, &domain)?),
     };
     let output = output::output(root, &domain.extent, initial.is_some())?;
+    let time = time::time(&root.required("time")?.section()?, &system)?;
     Ok(LinearScenario {
         name: heading.name,
         description: heading.description,
@@ -109,7 +121,7 @@ pub(super) fn scenario(
         initial,
         resolution,
         cut_off: cut_off::of_linear(root)?,
-        time: time::time(&root.required("time")?.section()?)?,
+        time,
         output,
         domain,
         text: text.to_owned(),

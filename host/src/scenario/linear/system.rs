@@ -1,10 +1,11 @@
 //! The systems of equations, by name.
 
-use super::{Field, field, matrices};
+use super::{ConvectionDiffusion, Field, diffusion, field, matrices};
 use crate::scenario::Domain;
 use crate::scenario::bound::{GAMMA, NOT_NEGATIVE, POSITIVE};
 use crate::scenario::entry::ANY;
 use crate::scenario::error::Fault;
+use crate::scenario::files::Files;
 use crate::scenario::geometry::AXES;
 use crate::scenario::section::Section;
 
@@ -91,10 +92,15 @@ pub enum System {
         /// What the components are called; no two alike.
         names: Vec<String>,
     },
+    /// `∂u/∂t + div(a u) - div(b grad u) = f`: species that are carried, diffuse and react.
+    ConvectionDiffusion(Box<ConvectionDiffusion>),
 }
 
+/// The one that has `[[wall]]`.
+const DIFFUSION: &str = "convection-diffusion";
+
 /// The names of the systems, with the keys that each takes and its dimension if it has one.
-const KINDS: [(&str, &[&str], Option<usize>); 8] = [
+const KINDS: [(&str, &[&str], Option<usize>); 9] = [
     ("transport", &["velocity", "decay", "source"], None),
     ("acoustics", &["density", "sound-speed"], None),
     (
@@ -111,6 +117,21 @@ const KINDS: [(&str, &[&str], Option<usize>); 8] = [
         None,
     ),
     ("matrices", &["components", "flux", "decay", "names"], None),
+    (
+        DIFFUSION,
+        &[
+            "species",
+            "diffusivity",
+            "form",
+            "mean",
+            "velocity",
+            "profile",
+            "modulation",
+            "tensor",
+            "reaction",
+        ],
+        None,
+    ),
 ];
 
 impl System {
@@ -125,14 +146,15 @@ impl System {
             Self::ElasticWaves { .. } => "elastic-waves",
             Self::LinearisedGas { .. } => "linearised-gas",
             Self::Matrices { .. } => "matrices",
+            Self::ConvectionDiffusion(_) => DIFFUSION,
         }
     }
 
-    /// The fastest wave that runs through what carries it; 0 for [`System::Transport`], and for
-    /// [`System::Matrices`], whose eigenvalues tell.
+    /// The fastest wave that runs through what carries it; 0 for [`System::Transport`] and
+    /// [`System::ConvectionDiffusion`], and for [`System::Matrices`], whose eigenvalues tell.
     pub fn wave_speed(&self) -> f64 {
         match self {
-            Self::Transport { .. } | Self::Matrices { .. } => 0.0,
+            Self::Transport { .. } | Self::Matrices { .. } | Self::ConvectionDiffusion(_) => 0.0,
             Self::Acoustics { sound_speed, .. } => *sound_speed,
             Self::Telegraph {
                 inductance,
@@ -183,6 +205,7 @@ impl System {
                 [named(&["density"]), velocity(), named(&["pressure"])].concat()
             }
             Self::Matrices { names, .. } => names.clone(),
+            Self::ConvectionDiffusion(diffusion) => diffusion.species.clone(),
         }
     }
 }
@@ -197,7 +220,11 @@ fn vector(name: &str, dimension: usize) -> Vec<String> {
 }
 
 /// `[system]`.
-pub(super) fn system(root: &Section<'_>, domain: &Domain) -> Result<System, Fault> {
+pub(super) fn system(
+    root: &Section<'_>,
+    domain: &Domain,
+    files: Files<'_>,
+) -> Result<System, Fault> {
     let section = root.required("system")?.section()?;
     let kind = section.required("kind")?;
     let (name, keys, own) = kind.choice(&KINDS.map(|kind| (kind.0, kind)))?;
@@ -207,6 +234,10 @@ pub(super) fn system(root: &Section<'_>, domain: &Domain) -> Result<System, Faul
         let reason = format!("{name} has dimension {own} only, dimension = {dimension}");
         let cure = format!("set dimension = {own}, or choose another system");
         return Err(kind.does_not_fit(reason, &cure));
+    }
+    if let Some(wall) = root.optional("wall").filter(|_| name != DIFFUSION) {
+        let reason = format!("the walls of {name} are mirrors, and nothing else");
+        return Err(wall.does_not_fit(reason, "take [[wall]] out: it is of convection-diffusion"));
     }
     let number = |key, bound| section.number(key, bound);
     Ok(match name {
@@ -241,6 +272,9 @@ pub(super) fn system(root: &Section<'_>, domain: &Domain) -> Result<System, Faul
             gamma: number("gamma", GAMMA)?,
             velocity: velocity(&section, domain)?,
         },
+        DIFFUSION => System::ConvectionDiffusion(Box::new(diffusion::convection_diffusion(
+            root, &section, domain, files,
+        )?)),
         _ => matrices::matrices(&section, dimension)?,
     })
 }

@@ -654,9 +654,11 @@ fn the_page_names_every_key_and_every_choice() {
         "gresho kelvin-helmholtz equal-mass square hexagonal cubic close-packed sampled glass file",
         "mass volume number pairwise gingold_monaghan von_neumann limited none leapfrog exact",
         "total riemann sedov profile reference vtu csv",
-        "transport acoustics telegraph shallow-water maxwell-te elastic-waves linearised-gas matrices",
+        "transport acoustics telegraph shallow-water maxwell-te elastic-waves linearised-gas matrices convection-diffusion",
         "still uniform rotation shear compression wave flow gaussian exp-sine plane-wave standing-wave modes",
-        "lattice distorted low-discrepancy rk4 ssp-rk3 initial",
+        "lattice distorted low-discrepancy rk4 ssp-rk3 rkl2 initial",
+        "direct mixed arithmetic harmonic parabola layers linear logistic gray-scott",
+        "no-flux value flux exchange lower upper x y z",
     ];
     for choice in choices.iter().flat_map(|line| line.split(' ')) {
         assert!(

@@ -106,7 +106,7 @@ const LINE_FAULTS: &[Case] = &[
     ("[time]", "[cut-off]\ntheta = 0.5\nepsilon = 0.1\n[time]", "theta", "epsilon is a width of its own", "epsilon alone"),
     // Time.
     ("end = 0.5", "end = 0.0", "end", "time.end = 0.0", "larger than 0"),
-    ("end = 0.5", "end = 0.5\nmethod = \"euler\"", "method", "time.method = \"euler\"", "known: rk4, ssp-rk3"),
+    ("end = 0.5", "end = 0.5\nmethod = \"euler\"", "method", "time.method = \"euler\"", "known: rk4, ssp-rk3, rkl2"),
     ("end = 0.5", "end = 0.5\ncourant = 2", "courant", "time.courant = 2", "at most 1"),
     ("end = 0.5", "end = 0.5\nstep = 0", "step", "time.step = 0", "larger than 0"),
     ("end = 0.5", "end = 0.5\ngrowth-margin = 0", "growth-margin", "time.growth-margin = 0", "larger than 0"),

@@ -1,0 +1,203 @@
+//! The problem of a convection-diffusion plan in the scalar of a run.
+
+use std::f64::consts::TAU;
+
+use motes_core::equation::diffusion::{
+    Conductor, Drive, DrivenCondition, Form, Mean, Modulation, NamedProblem, Reaction,
+};
+use motes_core::scalar::Scalar;
+
+use super::plan::Plan;
+use crate::scenario::linear as scenario;
+use crate::scenario::linear::{ConvectionDiffusion, System, WallCondition};
+
+/// The lists that a problem refers to, in solver units.
+pub(super) struct Media<S> {
+    bounds: Vec<S>,
+    factors: Vec<S>,
+    /// By direction, end and species; empty where nothing changes in time.
+    series: Vec<[Vec<Vec<(S, S)>>; 2]>,
+}
+
+impl Plan {
+    /// The convection-diffusion of the plan; `None` for another system.
+    pub(super) fn convection_diffusion(&self) -> Option<&ConvectionDiffusion> {
+        match &self.system {
+            System::ConvectionDiffusion(problem) => Some(problem),
+            _ => None,
+        }
+    }
+
+    /// The coordinate along x in solver units.
+    fn along(&self, x: f64) -> f64 {
+        (x - self.middle[0]) / self.units.length
+    }
+
+    /// The unit of what passes through a wall.
+    fn unit_of_flux(&self, condition: &WallCondition) -> f64 {
+        match condition {
+            WallCondition::Flux(_) => self.units.velocity,
+            _ => 1.0,
+        }
+    }
+
+    /// The lists of a problem.
+    pub(super) fn media<S: Scalar>(&self, problem: &ConvectionDiffusion) -> Media<S> {
+        let (bounds, factors) = match &problem.profile {
+            scenario::Conductor::Layers { bounds, factors } => {
+                (bounds.as_slice(), factors.as_slice())
+            }
+            _ => (&[][..], &[][..]),
+        };
+        let series = |condition: &WallCondition| {
+            let Some(scenario::Drive::Series(series)) = drive(condition) else {
+                return Vec::new();
+            };
+            let unit = self.unit_of_flux(condition);
+            let points = series.times.iter().zip(&series.values);
+            let point = |(time, value): (&f64, &f64)| {
+                let time = time / self.unit_of_time();
+                (S::from_f64(time), S::from_f64(value / unit))
+            };
+            points.map(point).collect()
+        };
+        let ends = |ends: &[Vec<WallCondition>; 2]| {
+            let end = |species: &Vec<WallCondition>| species.iter().map(series).collect();
+            [end(&ends[0]), end(&ends[1])]
+        };
+        Media {
+            bounds: bounds.iter().map(|&x| S::from_f64(self.along(x))).collect(),
+            factors: factors.iter().map(|&factor| S::from_f64(factor)).collect(),
+            series: problem.walls.iter().map(ends).collect(),
+        }
+    }
+
+    /// The problem, with nothing for species beyond those of the plan.
+    pub(super) fn problem<'a, S: Scalar, const D: usize, const P: usize>(
+        &self,
+        of: &ConvectionDiffusion,
+        media: &'a Media<S>,
+    ) -> NamedProblem<'a, S, D, P> {
+        let unit = self.units.length * self.units.velocity;
+        let number = S::from_f64;
+        NamedProblem {
+            diffusivity: std::array::from_fn(|j| {
+                of.diffusivity
+                    .get(j)
+                    .map_or(S::ZERO, |b| S::from_f64(b / unit))
+            }),
+            conductor: match of.profile {
+                scenario::Conductor::Uniform => Conductor::Uniform,
+                scenario::Conductor::Parabola { center, radius } => Conductor::Parabola {
+                    center: number(self.along(center)),
+                    radius: number(radius / self.units.length),
+                },
+                scenario::Conductor::Layers { .. } => Conductor::Layers {
+                    bounds: &media.bounds,
+                    factors: &media.factors,
+                },
+            },
+            modulation: of.modulation.map_or(Modulation::NONE, |of| Modulation {
+                amplitude: number(of.amplitude),
+                frequency: number(of.rate * self.unit_of_time() / TAU),
+            }),
+            tensor: of
+                .tensor
+                .as_ref()
+                .map(|tensor| tensor_of(tensor).map(|row| row.map(number))),
+            reaction: self.reaction(&of.reaction),
+            walls: std::array::from_fn(|axis| {
+                std::array::from_fn(|end| {
+                    std::array::from_fn(|j| {
+                        let condition = of.walls.get(axis).and_then(|ends| ends[end].get(j));
+                        let points = media.series.get(axis).and_then(|ends| ends[end].get(j));
+                        match (condition, points) {
+                            (Some(condition), Some(points)) => self.wall(condition, points),
+                            _ => DrivenCondition::NoFlux,
+                        }
+                    })
+                })
+            }),
+        }
+    }
+
+    fn wall<'a, S: Scalar>(
+        &self,
+        condition: &WallCondition,
+        points: &'a [(S, S)],
+    ) -> DrivenCondition<'a, S> {
+        let unit = self.unit_of_flux(condition);
+        let driven = |drive: &scenario::Drive| match drive {
+            scenario::Drive::Constant(value) => Drive::Constant(S::from_f64(value / unit)),
+            scenario::Drive::Series(_) => Drive::Series(points),
+        };
+        match condition {
+            WallCondition::NoFlux => DrivenCondition::NoFlux,
+            WallCondition::Value(value) => DrivenCondition::Value(driven(value)),
+            WallCondition::Flux(flux) => DrivenCondition::Flux(driven(flux)),
+            WallCondition::Exchange { rate, outside } => DrivenCondition::Exchange {
+                rate: S::from_f64(rate / self.units.velocity),
+                outside: driven(outside),
+            },
+        }
+    }
+
+    fn reaction<S: Scalar, const P: usize>(&self, of: &scenario::Reaction) -> Reaction<S, P> {
+        let time = self.unit_of_time();
+        let rate = |rate: f64| S::from_f64(rate * time);
+        match of {
+            scenario::Reaction::None => Reaction::None,
+            scenario::Reaction::Linear { matrix, source } => {
+                let p = source.len();
+                Reaction::Linear {
+                    matrix: std::array::from_fn(|i| {
+                        std::array::from_fn(|j| match i.max(j) < p {
+                            true => rate(matrix[i * p + j]),
+                            false => S::ZERO,
+                        })
+                    }),
+                    source: std::array::from_fn(|i| source.get(i).map_or(S::ZERO, |&s| rate(s))),
+                }
+            }
+            scenario::Reaction::Logistic { rate: r, capacity } => Reaction::Logistic {
+                rate: rate(*r),
+                capacity: S::from_f64(*capacity),
+            },
+            scenario::Reaction::GrayScott { feed, kill } => Reaction::GrayScott {
+                feed: S::from_f64(*feed),
+                kill: S::from_f64(*kill),
+                unit: rate(1.0),
+            },
+        }
+    }
+}
+
+/// The form of the core.
+pub(super) fn form(of: &ConvectionDiffusion) -> (Form, Mean) {
+    let form = match of.form {
+        scenario::Form::Direct => Form::Direct,
+        scenario::Form::Mixed => Form::Mixed,
+    };
+    let mean = match of.mean {
+        scenario::Mean::Arithmetic => Mean::Arithmetic,
+        scenario::Mean::Harmonic => Mean::Harmonic,
+    };
+    (form, mean)
+}
+
+/// What a condition is driven by.
+fn drive(condition: &WallCondition) -> Option<&scenario::Drive> {
+    match condition {
+        WallCondition::NoFlux => None,
+        WallCondition::Value(drive)
+        | WallCondition::Flux(drive)
+        | WallCondition::Exchange { outside: drive, .. } => Some(drive),
+    }
+}
+
+/// A tensor in the dimension of a run.
+fn tensor_of<const D: usize>(tensor: &[Vec<f64>]) -> [[f64; D]; D] {
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| tensor.get(i).and_then(|row| row.get(j)).map_or(0.0, |t| *t))
+    })
+}

@@ -1,0 +1,145 @@
+//! What passes through the walls of convection-diffusion: `[[wall]]`.
+
+use super::Series;
+use super::series::series;
+use crate::scenario::bound::NOT_NEGATIVE;
+use crate::scenario::entry::{ANY, Entry};
+use crate::scenario::error::Fault;
+use crate::scenario::files::Files;
+use crate::scenario::geometry::AXES;
+use crate::scenario::section::Section;
+use crate::scenario::{Domain, Side};
+
+/// What a species meets at a wall. The flux is what leaves the domain, `-b ∂u/∂n` with the
+/// normal `n` outwards: species · length / time.
+#[derive(Debug, Clone, PartialEq)]
+pub enum WallCondition {
+    /// `b ∂u/∂n = 0`.
+    NoFlux,
+    /// `u` is given.
+    Value(Drive),
+    /// The flux is given, above 0 outwards.
+    Flux(Drive),
+    /// The flux is `rate (u - outside)`.
+    Exchange {
+        /// Length / time, >= 0.
+        rate: f64,
+        /// `u` outside.
+        outside: Drive,
+    },
+}
+
+/// A number that drives a wall.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Drive {
+    /// The same at all times.
+    Constant(f64),
+    /// Out of a file.
+    Series(Series),
+}
+
+/// The names of the conditions, with the keys that each takes.
+const KINDS: [(&str, &[&str]); 4] = [
+    ("no-flux", &[]),
+    ("value", &["value", "series"]),
+    ("flux", &["flux", "series"]),
+    ("exchange", &["rate", "outside", "series"]),
+];
+
+const ENDS: [&str; 2] = ["lower", "upper"];
+
+/// The conditions of the walls: a direction, its lower and its upper end, the species.
+pub(super) type Walls = Vec<[Vec<WallCondition>; 2]>;
+
+/// Every `[[wall]]`; a wall of which nothing is said lets nothing through.
+pub(super) fn walls(
+    root: &Section<'_>,
+    domain: &Domain,
+    species: &[String],
+    files: Files<'_>,
+) -> Result<Walls, Fault> {
+    let closed = || vec![WallCondition::NoFlux; species.len()];
+    let mut walls: Walls = domain.sides.iter().map(|_| [closed(), closed()]).collect();
+    let Some(entry) = root.optional("wall") else {
+        return Ok(walls);
+    };
+    let mut told = Vec::new();
+    for (number, entry) in entry.list("one or more [[wall]]")?.iter().enumerate() {
+        let section = entry.section()?;
+        let (axis, end) = place(&section, domain)?;
+        let condition = condition(&section, files)?;
+        for i in chosen(&section, species)? {
+            let same = told.iter().find(|(_, place)| *place == (axis, end, i));
+            if let Some((first, _)) = same {
+                let reason = format!("wall {first} says already what {} meets there", species[i]);
+                let cure = "keep one of the two, or give each a `species` of its own; walls are \
+                            numbered from 0";
+                return Err(section.required("end")?.does_not_fit(reason, cure));
+            }
+            told.push((number, (axis, end, i)));
+            walls[axis][end][i] = condition.clone();
+        }
+    }
+    Ok(walls)
+}
+
+/// Which wall: its direction and its end, 0 for the lower.
+fn place(section: &Section<'_>, domain: &Domain) -> Result<(usize, usize), Fault> {
+    let entry = section.required("axis")?;
+    let axis = entry.choice(&[("x", 0), ("y", 1), ("z", 2)])?;
+    let dimension = domain.sides.len();
+    if axis >= dimension {
+        let reason = format!("dimension = {dimension}");
+        let cure = format!("the directions are: {}", &"x, y, z"[..3 * dimension - 2]);
+        return Err(entry.does_not_fit(reason, &cure));
+    }
+    let entry = section.required("end")?;
+    let end = entry.choice(&[(ENDS[0], 0), (ENDS[1], 1)])?;
+    if domain.sides[axis][end] != Side::Mirror {
+        let name = AXES[axis];
+        let reason = format!("there is no wall at the {} side along {name}", ENDS[end]);
+        let cure =
+            format!("set the side along {name} in domain.sides to \"mirror\", or take it out");
+        return Err(entry.does_not_fit(reason, &cure));
+    }
+    Ok((axis, end))
+}
+
+/// The species that a wall is for: all unless told.
+fn chosen(section: &Section<'_>, species: &[String]) -> Result<Vec<usize>, Fault> {
+    Ok(match section.optional("species") {
+        Some(entry) => vec![entry.choice_of(species.iter().map(String::as_str))?],
+        None => (0..species.len()).collect(),
+    })
+}
+
+fn condition(section: &Section<'_>, files: Files<'_>) -> Result<WallCondition, Fault> {
+    let kind = section.required("kind")?;
+    let (name, keys) = kind.choice(&KINDS.map(|kind| (kind.0, kind)))?;
+    section.only(name, &["axis", "end", "species", "kind"], keys)?;
+    Ok(match name {
+        "no-flux" => WallCondition::NoFlux,
+        "value" => WallCondition::Value(drive(section, "value", files)?),
+        "flux" => WallCondition::Flux(drive(section, "flux", files)?),
+        _ => WallCondition::Exchange {
+            rate: section.number("rate", NOT_NEGATIVE)?,
+            outside: drive(section, "outside", files)?,
+        },
+    })
+}
+
+/// A number under its key, or a series in its place.
+fn drive(section: &Section<'_>, key: &'static str, files: Files<'_>) -> Result<Drive, Fault> {
+    match (section.optional(key), section.optional("series")) {
+        (Some(entry), None) => Ok(Drive::Constant(entry.number(ANY)?)),
+        (None, Some(entry)) => Ok(Drive::Series(series(&entry.section()?, files)?)),
+        (Some(_), Some(entry)) => Err(both(&entry, key)),
+        (None, None) => Err(section.missing(key)),
+    }
+}
+
+fn both(series: &Entry<'_>, key: &str) -> Fault {
+    let reason = format!("`{key}` is there too");
+    let cure = format!("keep one: `{key}`, a number, or `series`, a column of a file");
+    series.does_not_fit(reason, &cure)
+}

@@ -7,4 +7,5 @@ mod operator;
 mod sums;
 mod time;
 mod transport;
+mod upwind;
 mod walls;

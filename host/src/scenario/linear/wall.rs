@@ -98,8 +98,9 @@ fn place(section: &Section<'_>, domain: &Domain) -> Result<(usize, usize), Fault
     if domain.sides[axis][end] != Side::Mirror {
         let name = AXES[axis];
         let reason = format!("there is no wall at the {} side along {name}", ENDS[end]);
-        let cure =
-            format!("set the side along {name} in domain.sides to \"mirror\", or take it out");
+        let cure = format!(
+            "set the side along {name} in domain.sides to \"mirror\", or take this [[wall]] out"
+        );
         return Err(entry.does_not_fit(reason, &cure));
     }
     Ok((axis, end))

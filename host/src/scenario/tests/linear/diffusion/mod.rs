@@ -45,7 +45,7 @@ form = "mixed"
 velocity = { kind = "uniform", velocity = [1.0, 0.0] }
 profile = { kind = "layers", bounds = [0.25, 0.5], factors = [1.0, 10.0, 2.0] }
 modulation = { amplitude = -0.5, rate = 3.0 }
-tensor = [[1.0, 0.3], [0.3, 0.5]]
+tensor = [[1.0, 0.0], [0.0, 0.5]]
 reaction = { kind = "gray-scott", feed = 0.037, kill = 0.06 }
 [[wall]]
 axis = "y"
@@ -154,7 +154,7 @@ fn every_key_reads_as_written() {
                 amplitude: -0.5,
                 rate: 3.0
             }),
-            tensor: Some(vec![vec![1.0, 0.3], vec![0.3, 0.5]]),
+            tensor: Some(vec![vec![1.0, 0.0], vec![0.0, 0.5]]),
             reaction: Reaction::GrayScott {
                 feed: 0.037,
                 kill: 0.06

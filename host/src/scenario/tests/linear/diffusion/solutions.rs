@@ -105,7 +105,6 @@ fn an_unknown_solution_is_refused_with_the_reason() {
         (RING, SWING, MODE, "changes in time"),
         (RING, SOURCE, MODE, "has a source"),
         (CHANNEL, "", OBLIQUE, "meets a wall at an angle"),
-        (CHANNEL, TENSOR, ALONG, "the tensor leads along it"),
         (RING, LAYERS, BAND, "the profile is layers"),
         (OPEN, SHEAR, BAND, "neither still nor uniform"),
         (RING, two, BAND, "there are 2 species"),

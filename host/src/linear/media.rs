@@ -50,7 +50,7 @@ impl Plan {
             _ => (&[][..], &[][..]),
         };
         let series = |condition: &WallCondition| {
-            let Some(scenario::Drive::Series(series)) = drive(condition) else {
+            let Some(series) = condition.series() else {
                 return Vec::new();
             };
             let unit = self.unit_of_flux(condition);
@@ -183,16 +183,6 @@ pub(super) fn form(of: &ConvectionDiffusion) -> (Form, Mean) {
         scenario::Mean::Harmonic => Mean::Harmonic,
     };
     (form, mean)
-}
-
-/// What a condition is driven by.
-fn drive(condition: &WallCondition) -> Option<&scenario::Drive> {
-    match condition {
-        WallCondition::NoFlux => None,
-        WallCondition::Value(drive)
-        | WallCondition::Flux(drive)
-        | WallCondition::Exchange { outside: drive, .. } => Some(drive),
-    }
 }
 
 /// A tensor in the dimension of a run.

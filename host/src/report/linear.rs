@@ -24,6 +24,12 @@ pub fn write(out: &Path, experiment: &Experiment) -> Result<(), Report> {
     let exact = experiment.exact.as_deref();
     let names = &experiment.plan.names;
     io::write_text(&out.join("scenario.toml"), &scenario.text)?;
+    for series in scenario.system.series() {
+        // Beside the scenario, so that it can be run again; one in another folder is still there.
+        if Path::new(&series.file).file_name() == Some(series.file.as_ref()) {
+            io::write_text(&out.join(&series.file), &series.text)?;
+        }
+    }
     let dimension = scenario.dimension;
     io::write_cloud(&out.join("particles.csv"), dimension, names, outcome, exact)?;
     io::write_history(&out.join("series.csv"), names, &outcome.series)?;

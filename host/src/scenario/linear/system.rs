@@ -1,6 +1,6 @@
 //! The systems of equations, by name.
 
-use super::{ConvectionDiffusion, Field, diffusion, field, matrices};
+use super::{ConvectionDiffusion, Field, Series, WallCondition, diffusion, field, matrices};
 use crate::scenario::Domain;
 use crate::scenario::bound::{GAMMA, NOT_NEGATIVE, POSITIVE};
 use crate::scenario::entry::ANY;
@@ -181,6 +181,15 @@ impl System {
                 flow + (gamma * pressure / density).sqrt()
             }
         }
+    }
+
+    /// What drives its walls, out of files.
+    pub fn series(&self) -> Vec<&Series> {
+        let Self::ConvectionDiffusion(of) = self else {
+            return Vec::new();
+        };
+        let conditions = of.walls.iter().flatten().flatten();
+        conditions.filter_map(WallCondition::series).collect()
     }
 
     /// How many components its state has.

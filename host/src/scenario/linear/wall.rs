@@ -29,6 +29,26 @@ pub enum WallCondition {
     },
 }
 
+impl WallCondition {
+    /// What drives it.
+    pub fn drive(&self) -> Option<&Drive> {
+        match self {
+            Self::NoFlux => None,
+            Self::Value(drive) | Self::Flux(drive) | Self::Exchange { outside: drive, .. } => {
+                Some(drive)
+            }
+        }
+    }
+
+    /// The series that drives it, if one does.
+    pub fn series(&self) -> Option<&Series> {
+        match self.drive() {
+            Some(Drive::Series(series)) => Some(series),
+            _ => None,
+        }
+    }
+}
+
 /// A number that drives a wall.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Drive {

@@ -20,41 +20,24 @@ fn wall_day(overrides: &[&str]) -> Result<LinearScenario, ScenarioError> {
 
 #[test]
 fn a_series_reads_the_columns_that_are_named() {
-    let scenario = beside(b"t, other, time\n1.5, a, 0\n-2.0, b, 0.5\n").unwrap();
-    let series = Series {
-        times: vec![0.0, 0.5],
-        values: vec![1.5, -2.0],
+    let check = |bytes: &[u8], times: &[f64], values: &[f64]| {
+        let scenario = beside(bytes).unwrap();
+        let [WallCondition::Value(Drive::Series(series))] = &diffusion(&scenario).walls[0][1][..]
+        else {
+            panic!("{:?}", diffusion(&scenario).walls);
+        };
+        assert_eq!((&series.times[..], &series.values[..]), (times, values));
+        assert_eq!(
+            (series.file.as_str(), series.text.as_bytes()),
+            ("day.csv", bytes)
+        );
     };
-    let driven = WallCondition::Value(Drive::Series(series));
-    assert_eq!(diffusion(&scenario).walls[0][1], [driven]);
-    let one = beside(b"time,t\n7,3\n").unwrap();
-    let series = Series {
-        times: vec![7.0],
-        values: vec![3.0],
-    };
-    assert_eq!(
-        diffusion(&one).walls[0][1],
-        [WallCondition::Value(Drive::Series(series))]
+    check(
+        b"t, other, time\n1.5, a, 0\n-2.0, b, 0.5\n",
+        &[0.0, 0.5],
+        &[1.5, -2.0],
     );
-}
-
-#[test]
-fn a_series_is_linear_between_its_times_and_constant_beyond() {
-    let series = Series {
-        times: vec![0.0, 1.0, 3.0],
-        values: vec![2.0, 4.0, -4.0],
-    };
-    for (time, value) in [
-        (-1.0, 2.0),
-        (0.0, 2.0),
-        (0.25, 2.5),
-        (1.0, 4.0),
-        (2.0, 0.0),
-        (3.0, -4.0),
-        (9.0, -4.0),
-    ] {
-        assert_eq!(series.at(time), value, "at {time}");
-    }
+    check(b"time,t\n7,3\n", &[7.0], &[3.0]);
 }
 
 /// Text of the file; the value, the line and the cure of the report.

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::scenario::linear::{
-    Conductor, ConvectionDiffusion, Drive, Form, Mean, Modulation, Reaction, Series, WallCondition,
+    Conductor, ConvectionDiffusion, Drive, Form, Mean, Modulation, Reaction, WallCondition,
 };
 
 mod faults;

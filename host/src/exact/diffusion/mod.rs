@@ -13,4 +13,5 @@ pub mod modulation;
 mod reaction;
 #[cfg(test)]
 mod residual;
+pub mod slab;
 mod tensor;

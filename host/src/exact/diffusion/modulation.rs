@@ -1,5 +1,8 @@
 //! A diffusivity that swings in time.
 
+#[cfg(test)]
+mod tests;
+
 use super::super::linear::error::{Number, finite};
 
 /// `b(t) = b_0 (1 + amplitude sin(rate t))`.

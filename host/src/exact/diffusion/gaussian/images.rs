@@ -8,6 +8,9 @@
 //! `Σ_n exp(-(y + n P).S^-1 (y + n P)/2) = (2 pi)^(q/2) det K/ΠP Σ_m exp(-k.S k/2) cos(k.y)`,
 //! `k = 2 pi m/P`
 
+#[cfg(test)]
+mod tests;
+
 use std::f64::consts::PI;
 
 /// Where a term is nothing: `exp(-9^2/2) = 3e-18`.

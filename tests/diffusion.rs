@@ -3,7 +3,6 @@
 
 mod systems;
 
-use motes::exact::linear::solution::Solution;
 use motes::linear::{Experiment, LinearError, Outcome};
 use systems::{assert_same_bits, assert_tolerances, built_in, errors, experiment, run, scenario};
 
@@ -122,7 +121,7 @@ fn fronts_stay_sharp_and_smooth_at_every_peclet_number() {
 fn the_flux_through_layers_is_continuous() {
     let outcome = run("layered-wall", "f64", 2, &["time.end=20"]);
     let at = |x: f64| {
-        let positions = outcome.cloud.positions.iter();
+        let mut positions = outcome.cloud.positions.iter();
         let near = positions.position(|p| p[0] > x).unwrap();
         (
             outcome.cloud.positions[near][0],

@@ -6,10 +6,13 @@ use crate::exact::diffusion::gaussian::GaussianProblem;
 use crate::exact::diffusion::legendre::LegendreProblem;
 use crate::exact::diffusion::mode::ModeProblem;
 use crate::exact::diffusion::modulation::Modulation;
+use crate::exact::diffusion::slab::drive::Drive;
+use crate::exact::diffusion::slab::{End, Layer, SlabProblem};
 use crate::exact::linear::error::SolutionError;
 use crate::exact::linear::solution::Solution;
+use crate::scenario::linear as scenario;
 use crate::scenario::linear::{
-    Conductor, ConvectionDiffusion, Field, Initial, LinearScenario, Reaction,
+    Conductor, ConvectionDiffusion, Field, Initial, LinearScenario, Reaction, WallCondition,
 };
 
 /// The state at t = 0, which is asked for at no other time: that of a problem in which nothing
@@ -225,10 +228,60 @@ impl Solution for Spots {
     }
 }
 
+/// Heat through a slab of layers that is the same everywhere at t = 0.
 fn slab(
-    _: &LinearScenario,
+    scenario: &LinearScenario,
     of: &ConvectionDiffusion,
     initial: f64,
 ) -> Result<Box<dyn Solution>, SolutionError> {
-    Ok(Box::new(Uniform(vec![initial; of.species.len()])))
+    let extent = &scenario.domain.extent;
+    let (lower, upper) = (extent.lower[0], extent.upper[0]);
+    let (bounds, factors) = match &of.profile {
+        Conductor::Layers { bounds, factors } => (bounds.as_slice(), factors.as_slice()),
+        _ => (&[][..], &[1.0][..]),
+    };
+    let clipped = |x: &f64| x.clamp(lower, upper);
+    let starts = [lower].into_iter().chain(bounds.iter().map(clipped));
+    let ends = bounds.iter().map(clipped).chain([upper]);
+    let layers = starts.zip(ends).zip(factors);
+    let layers = layers.map(|((start, end), factor)| Layer {
+        thickness: end - start,
+        diffusivity: of.diffusivity[0] * factor,
+    });
+    let end = |end: usize| {
+        let condition = of.walls.first().and_then(|ends| ends[end].first());
+        condition.map_or(End::NoFlux, end_of)
+    };
+    let problem = SlabProblem {
+        lower,
+        // Layers beyond the domain have nothing in it.
+        layers: layers.filter(|layer| layer.thickness > 0.0).collect(),
+        ends: [end(0), end(1)],
+        initial,
+    };
+    Ok(Box::new(problem.solve()?))
+}
+
+/// What a slab meets at an end.
+fn end_of(condition: &WallCondition) -> End {
+    let drive = |drive: &scenario::Drive| match drive {
+        scenario::Drive::Constant(value) => Drive::constant(*value),
+        scenario::Drive::Series(series) => {
+            let points = series.times.iter().zip(&series.values);
+            Drive {
+                points: points.map(|(&time, &value)| (time, value)).collect(),
+            }
+        }
+    };
+    match condition {
+        WallCondition::NoFlux => End::NoFlux,
+        // What does not conduct lets nothing through.
+        WallCondition::Exchange { rate: 0.0, .. } => End::NoFlux,
+        WallCondition::Value(value) => End::Value(drive(value)),
+        WallCondition::Flux(flux) => End::Flux(drive(flux)),
+        WallCondition::Exchange { rate, outside } => End::Exchange {
+            rate: *rate,
+            outside: drive(outside),
+        },
+    }
 }

@@ -1,6 +1,6 @@
 //! The systems of equations, by name.
 
-use super::{ConvectionDiffusion, Field, Series, WallCondition, diffusion, field, matrices};
+use super::{ConvectionDiffusion, Field, Series, diffusion, field, matrices};
 use crate::scenario::Domain;
 use crate::scenario::bound::{GAMMA, NOT_NEGATIVE, POSITIVE};
 use crate::scenario::entry::ANY;
@@ -183,13 +183,15 @@ impl System {
         }
     }
 
-    /// What drives its walls, out of files.
-    pub fn series(&self) -> Vec<&Series> {
+    /// What drives its walls out of files, with the components that it drives.
+    pub fn driven(&self) -> Vec<(usize, &Series)> {
         let Self::ConvectionDiffusion(of) = self else {
             return Vec::new();
         };
-        let conditions = of.walls.iter().flatten().flatten();
-        conditions.filter_map(WallCondition::series).collect()
+        let ends = of.walls.iter().flatten();
+        let conditions = ends.flat_map(|species| species.iter().enumerate());
+        let driven = conditions.filter_map(|(i, condition)| Some((i, condition.series()?)));
+        driven.collect()
     }
 
     /// How many components its state has.

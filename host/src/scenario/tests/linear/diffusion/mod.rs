@@ -304,6 +304,17 @@ fn set_reaches_every_section_of_convection_diffusion() {
     // One of the two goes when the other comes.
     assert_eq!((scenario.time.step, scenario.time.stages), (Some(0.01), 9));
     assert_eq!(read(&scenario.text), scenario, "the text is the scenario");
+    let other = linear(SHEET, &["time.method=rk4"]).unwrap();
+    assert_eq!(other.time.method, Method::Rk4);
+    let layers = changed(
+        SLAB,
+        &[(
+            "diffusivity = 0.5",
+            "diffusivity = 0.5\nmean = \"harmonic\"",
+        )],
+    );
+    let mixed = linear(&layers, &["system.form=mixed"]).unwrap();
+    assert_eq!(diffusion(&mixed).mean, Mean::Arithmetic);
     let plain = linear(
         SHEET,
         &["system.reaction.kind=none", "system.profile.kind=uniform"],

@@ -47,15 +47,17 @@ macro_rules! named {
             fn normalisation<const D: usize>(self) -> f64 {
                 match self { $(Self::$variant => $value.normalisation::<D>(),)* }
             }
-            #[inline]
+            // Called, not copied into every loop: a third of the time to build, and the choice among
+            // so many costs more than the call.
+            #[inline(never)]
             fn value<const D: usize, N: Number>(self, a: N) -> N {
                 match self { $(Self::$variant => $value.value::<D, N>(a),)* }
             }
-            #[inline]
+            #[inline(never)]
             fn gradient<const D: usize, N: Number>(self, a: N) -> N {
                 match self { $(Self::$variant => $value.gradient::<D, N>(a),)* }
             }
-            #[inline]
+            #[inline(never)]
             fn curvature<const D: usize, N: Number>(self, a: N) -> N {
                 match self { $(Self::$variant => $value.curvature::<D, N>(a),)* }
             }

@@ -51,7 +51,9 @@ fn resolution(scenario: &LinearScenario, plan: &Plan) -> Option<String> {
     let extent = &scenario.domain.extent;
     let (what, length, least) = match scenario.initial.as_ref()? {
         Initial::Gaussian { width, .. } => ("width of the Gaussian", *width, 2.0),
-        Initial::ExpSine => return None,
+        Initial::ExpSine | Initial::Uniform { .. } | Initial::Legendre { .. } => return None,
+        Initial::Band { width, .. } => ("width of an edge", *width, 2.0),
+        Initial::Spots { width, .. } => ("width of a spot", *width, 2.0),
         Initial::PlaneWave { wave, .. }
         | Initial::StandingWave { wave, .. }
         | Initial::Modes { wave, .. } => {

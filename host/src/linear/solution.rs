@@ -47,6 +47,10 @@ pub fn solution(scenario: &LinearScenario) -> Result<Option<Box<dyn Solution>>, 
         Initial::PlaneWave { wave, amplitude } => plane_wave(scenario, wave, *amplitude)?,
         Initial::StandingWave { wave, amplitude } => standing_wave(scenario, wave, *amplitude)?,
         Initial::Modes { wave, state } => mode(scenario, wave, state)?,
+        Initial::Uniform { .. }
+        | Initial::Band { .. }
+        | Initial::Legendre { .. }
+        | Initial::Spots { .. } => return Ok(None),
     };
     Ok(Some(solution))
 }

@@ -54,6 +54,18 @@ built_in! {
     "maxwell-te"
     "elastic-waves"
     "linearised-gas"
+    "heat1d"
+    "heat2d"
+    "heat3d"
+    "rotating-gaussian"
+    "shear-gaussian"
+    "variable-diffusivity"
+    "layered-wall"
+    "robin-wall"
+    "decay-chain"
+    "advection-dominated"
+    "gray-scott"
+    "wall-day"
 }
 
 /// A file that a built-in scenario names: `motes show NAME` prints it.

@@ -134,6 +134,11 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
             key("amplitude", "amplitude = 1.0"),
             key("wave", "wave = [1]"),
             key("state", "state = [1.0, 0.0]"),
+            key("length", "length = 0.5"),
+            key("degree", "degree = 3"),
+            key("background", "background = [1.0, 0.0]"),
+            key("spot", "spot = [0.5, 0.25]"),
+            key("centers", "centers = [[0.5, 0.5]]"),
         ],
     ),
     (

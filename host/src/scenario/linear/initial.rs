@@ -1,19 +1,21 @@
-//! The state at t = 0, by name; each has a solution.
+//! The state at t = 0, by name.
 
-use super::{System, field};
+use super::{Conductor, System, field};
 use crate::scenario::bound::POSITIVE;
 use crate::scenario::entry::{ANY, Entry};
 use crate::scenario::error::Fault;
+use crate::scenario::geometry::point_inside;
 use crate::scenario::section::Section;
 use crate::scenario::{Domain, Side};
 
-/// A state at t = 0 of which the state at later times is known. `k` is
+/// A state at t = 0. That at later times is known, but not always of convection-diffusion
+/// ([`Initial::has_solution`]). `k` is
 /// `2π (wave_x/length_x, wave_y/length_y, ..)`, the lengths those of the domain.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Initial {
     /// `amplitude exp(-|x - center|²/width²)` in the first component, with its images in
     /// periodic directions, 0 in the others: transport; acoustics in one dimension without
-    /// walls, and in two between free sides.
+    /// walls, and in two between free sides; convection-diffusion.
     Gaussian {
         /// The middle of the domain unless told.
         center: Vec<f64>,
@@ -40,22 +42,64 @@ pub enum Initial {
         /// Of the voltage; the magnetic field.
         amplitude: f64,
     },
-    /// `state cos(k·(x - lower))`: matrices between periodic sides.
+    /// `state cos(k·(x - lower))`: matrices between periodic sides, convection-diffusion
+    /// between periodic ones and walls that let nothing through.
     Modes {
         /// Whole wavelengths in the domain along each direction, not all 0.
         wave: Vec<i32>,
         /// The amplitude of each component.
         state: Vec<f64>,
     },
+    /// The same everywhere: convection-diffusion, as all that follow.
+    Uniform {
+        /// One number a species.
+        state: Vec<f64>,
+    },
+    /// `amplitude/2 (erf((s + length/2)/width) - erf((s - length/2)/width))` in the first
+    /// species, `s = x - center` along x, with its images in a periodic direction; 0 in the
+    /// others.
+    Band {
+        /// A coordinate along x.
+        center: f64,
+        /// From edge to edge, > 0.
+        length: f64,
+        /// Of an edge, > 0.
+        width: f64,
+        /// Of the first species.
+        amplitude: f64,
+    },
+    /// `amplitude P_degree((x - center)/radius)` in the first species, center and radius those
+    /// of the parabola of the diffusivity, 0 in the others: one dimension.
+    Legendre {
+        /// Up to 32.
+        degree: u32,
+        /// Of the first species.
+        amplitude: f64,
+    },
+    /// `background + (spot - background) exp(-|x - c|²/width²)`, `c` the nearest centre.
+    Spots {
+        /// One number a species.
+        background: Vec<f64>,
+        /// One number a species.
+        spot: Vec<f64>,
+        /// Points of the domain, at least one.
+        centers: Vec<Vec<f64>>,
+        /// > 0.
+        width: f64,
+    },
 }
 
 /// The names of the states, with the keys that each takes.
-const KINDS: [(&str, &[&str]); 5] = [
+const KINDS: [(&str, &[&str]); 9] = [
     ("gaussian", &["center", "width", "amplitude"]),
     ("exp-sine", &[]),
     ("plane-wave", &["wave", "amplitude"]),
     ("standing-wave", &["wave", "amplitude"]),
     ("modes", &["wave", "state"]),
+    ("uniform", &["state"]),
+    ("band", &["center", "length", "width", "amplitude"]),
+    ("legendre", &["degree", "amplitude"]),
+    ("spots", &["background", "spot", "centers", "width"]),
 ];
 
 impl Initial {
@@ -67,6 +111,10 @@ impl Initial {
             Self::PlaneWave { .. } => "plane-wave",
             Self::StandingWave { .. } => "standing-wave",
             Self::Modes { .. } => "modes",
+            Self::Uniform { .. } => "uniform",
+            Self::Band { .. } => "band",
+            Self::Legendre { .. } => "legendre",
+            Self::Spots { .. } => "spots",
         }
     }
 }
@@ -79,7 +127,10 @@ fn kinds_of(system: &System, dimension: usize) -> &'static [&'static str] {
         (System::Acoustics { .. }, 2) => &["gaussian", "plane-wave"],
         (System::Telegraph { .. } | System::MaxwellTe { .. }, _) => &["standing-wave"],
         (System::Matrices { .. }, _) => &["modes"],
-        (System::ConvectionDiffusion(_), _) => &["gaussian", "modes"],
+        (System::ConvectionDiffusion(_), 1) => {
+            &["gaussian", "modes", "uniform", "band", "legendre", "spots"]
+        }
+        (System::ConvectionDiffusion(_), _) => &["gaussian", "modes", "uniform", "band", "spots"],
         _ => &["plane-wave"],
     }
 }
@@ -103,6 +154,7 @@ pub(super) fn initial(
     section.only(name, &["kind"], keys)?;
     check_sides(&kind, name, system, domain)?;
     let amplitude = || section.number_or("amplitude", 1.0, ANY);
+    let components = |key| state(&section.required(key)?, system.components(dimension));
     let wave = || wave(&section.required("wave")?, dimension);
     Ok(match name {
         "gaussian" => Initial::Gaussian {
@@ -119,20 +171,85 @@ pub(super) fn initial(
             wave: wave()?,
             amplitude: amplitude()?,
         },
-        _ => Initial::Modes {
+        "modes" => Initial::Modes {
             wave: wave()?,
-            state: state(&section.required("state")?, system.components(dimension))?,
+            state: components("state")?,
+        },
+        "uniform" => Initial::Uniform {
+            state: components("state")?,
+        },
+        "band" => Initial::Band {
+            center: along_x(section, domain)?,
+            length: section.number("length", POSITIVE)?,
+            width: section.number("width", POSITIVE)?,
+            amplitude: amplitude()?,
+        },
+        "legendre" => Initial::Legendre {
+            degree: degree(&section.required("degree")?)?,
+            amplitude: amplitude()?,
+        },
+        _ => Initial::Spots {
+            background: components("background")?,
+            spot: components("spot")?,
+            centers: centers(&section.required("centers")?, domain)?,
+            width: section.number("width", POSITIVE)?,
         },
     })
 }
 
-/// That a wave fills the domain periodically, and that a round pulse meets no side.
+/// A coordinate along x, the middle of the domain unless told.
+fn along_x(section: &Section<'_>, domain: &Domain) -> Result<f64, Fault> {
+    let Some(entry) = section.optional("center") else {
+        return Ok(domain.extent.middle(0));
+    };
+    // Of a Gaussian the same key is a point.
+    let example = "center = 0.0";
+    Entry { example, ..entry }.number(ANY)
+}
+
+fn degree(entry: &Entry<'_>) -> Result<u32, Fault> {
+    entry.whole(0..=32, "0 to 32", "give the degree of the polynomial")
+}
+
+fn centers(entry: &Entry<'_>, domain: &Domain) -> Result<Vec<Vec<f64>>, Fault> {
+    let entries = entry.list("a list of points")?;
+    if entries.is_empty() {
+        let reason = "spots without a centre are none".to_owned();
+        return Err(entry.does_not_fit(reason, "give one point at least, or kind = \"uniform\""));
+    }
+    let center = |entry: &Entry<'_>| point_inside(entry, &domain.extent);
+    entries.iter().map(center).collect()
+}
+
+/// That a wave fills the domain periodically, that a round pulse meets no side, and that a
+/// polynomial has the diffusivity that it goes with.
 fn check_sides(
     kind: &Entry<'_>,
     name: &str,
     system: &System,
     domain: &Domain,
 ) -> Result<(), Fault> {
+    if let System::ConvectionDiffusion(diffusion) = system {
+        let profile = &diffusion.profile;
+        if name == "legendre" && !matches!(profile, Conductor::Parabola { .. }) {
+            let reason = format!("it goes with a parabola, the profile is {}", profile.name());
+            let cure = "set profile = { kind = \"parabola\" } in [system], or choose another \
+                        initial state";
+            return Err(kind.does_not_fit(reason, cure));
+        }
+        let is_free = domain
+            .sides
+            .iter()
+            .flatten()
+            .any(|&side| side == Side::Free);
+        if name == "modes" && (is_free || !diffusion.is_closed()) {
+            let reason = "it has whole wavelengths in the domain, and no slope at a wall";
+            let cure = "set all of domain.sides to \"periodic\" or \"mirror\" without a [[wall]] \
+                        that lets something through, or choose another initial state";
+            return Err(kind.does_not_fit(reason.to_owned(), cure));
+        }
+        return Ok(());
+    }
     let is_sound = matches!(system, System::Acoustics { .. });
     let sides = || domain.sides.iter().flatten();
     let need = match (name, domain.sides.len()) {

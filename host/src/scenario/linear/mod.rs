@@ -10,6 +10,7 @@ mod output;
 mod reaction;
 mod resolution;
 mod series;
+mod solution;
 mod system;
 mod tensor;
 mod time;
@@ -108,7 +109,7 @@ pub(super) fn scenario(
         None => return Err(root.missing("initial")),
         Some(entry) => Some(initial::initial(&entry.section()?, &system, &domain)?),
     };
-    let output = output::output(root, &domain.extent, initial.is_some())?;
+    let output = output::output(root, &domain, &system, initial.as_ref())?;
     let time = time::time(&root.required("time")?.section()?, &system)?;
     Ok(LinearScenario {
         name: heading.name,

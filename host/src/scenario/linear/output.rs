@@ -1,13 +1,13 @@
 //! What is written and measured.
 
-use super::System;
+use super::{Initial, System};
 use crate::scenario::entry::Entry;
 use crate::scenario::error::Fault;
 use crate::scenario::geometry::point_inside;
 use crate::scenario::output::{DEFAULT_SAMPLES, samples, snapshots, window};
 use crate::scenario::section::Section;
 use crate::scenario::tolerance::{self, Tolerance};
-use crate::scenario::{Extent, Snapshots};
+use crate::scenario::{Domain, Extent, Snapshots};
 
 /// What is written and measured.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,12 +80,14 @@ impl Probe {
 /// `[output]`.
 pub(super) fn output(
     root: &Section<'_>,
-    domain: &Extent,
-    has_initial: bool,
+    domain: &Domain,
+    system: &System,
+    initial: Option<&Initial>,
 ) -> Result<Output, Fault> {
+    let extent = &domain.extent;
     let Some(entry) = root.optional("output") else {
         return Ok(Output {
-            window: domain.clone(),
+            window: extent.clone(),
             samples: DEFAULT_SAMPLES,
             exact: false,
             snapshots: None,
@@ -94,26 +96,43 @@ pub(super) fn output(
     };
     let section = entry.section()?;
     Ok(Output {
-        window: window(&section, domain)?,
+        window: window(&section, extent)?,
         samples: samples(&section)?,
         exact: match section.optional("exact") {
-            Some(entry) => exact(&entry, has_initial)?,
+            Some(entry) => exact(&entry, domain, system, initial)?,
             None => false,
         },
         snapshots: snapshots(&section)?,
         probe: match section.optional("probe") {
-            Some(entry) => Some(probe(&entry.section()?, domain)?),
+            Some(entry) => Some(probe(&entry.section()?, extent)?),
             None => None,
         },
     })
 }
 
-fn exact(entry: &Entry<'_>, has_initial: bool) -> Result<bool, Fault> {
-    let chosen = entry.choice(&[("initial", true)])?;
-    if !has_initial {
+/// The name of the one that there is.
+const INITIAL: &str = "initial";
+
+fn exact(
+    entry: &Entry<'_>,
+    domain: &Domain,
+    system: &System,
+    initial: Option<&Initial>,
+) -> Result<bool, Fault> {
+    let chosen = entry.choice(&[(INITIAL, true)])?;
+    let Some(initial) = initial else {
         let reason = "there is no [initial], of which the solution is known".to_owned();
         return Err(entry.does_not_fit(reason, "add [initial], or leave `exact` out"));
-    }
+    };
+    initial.has_solution(system, domain).map_err(|reason| {
+        let reason = format!(
+            "the solution of {} is not known here: {reason}",
+            initial.name()
+        );
+        let cure = "leave `exact` out, or change what the reason names (docs/scenario.md lists \
+                    the solutions)";
+        entry.does_not_fit(reason, cure)
+    })?;
     Ok(chosen)
 }
 

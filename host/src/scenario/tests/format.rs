@@ -657,6 +657,7 @@ fn the_page_names_every_key_and_every_choice() {
         "transport acoustics telegraph shallow-water maxwell-te elastic-waves linearised-gas matrices convection-diffusion",
         "still uniform rotation shear compression wave flow gaussian exp-sine plane-wave standing-wave modes",
         "lattice distorted low-discrepancy rk4 ssp-rk3 rkl2 initial",
+        "band legendre spots",
         "direct mixed arithmetic harmonic parabola layers linear logistic gray-scott",
         "no-flux value flux exchange lower upper x y z",
     ];

@@ -82,7 +82,7 @@ fn exported(name: &str, particles: usize) -> String {
         }
         AnyScenario::Linear(scenario) => {
             let plan = linear::Plan::new(&scenario).unwrap();
-            export::line(name, &plan, &command).unwrap()
+            export::linear(name, &plan, &command).unwrap()
         }
     }
 }

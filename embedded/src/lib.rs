@@ -4,9 +4,11 @@
 
 pub mod acoustics;
 pub mod console;
+pub mod diffusion;
 pub mod gas;
 pub mod linear;
 mod panic;
 pub mod stopwatch;
 pub mod telegraph;
 pub mod tube;
+pub mod wall;

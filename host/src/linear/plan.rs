@@ -16,7 +16,7 @@ use super::limits::LinearError;
 use super::quadrature::Quadrature;
 use super::solution::solution;
 use crate::scenario;
-use crate::scenario::linear::{Field, LinearScenario, Method, Reaction, System};
+use crate::scenario::linear::{Field, Initial, LinearScenario, Method, Reaction, System};
 use crate::simulation::{RunError, check_memory, check_numbers};
 use crate::symmetriser::Symmetriser;
 
@@ -96,7 +96,10 @@ impl Plan {
                 }
                 values
             }
-            (None, values) => values.unwrap_or_default(),
+            (None, values) => match &scenario.initial {
+                Some(Initial::Uniform { state }) => state.repeat(count),
+                _ => values.unwrap_or_default(),
+            },
         };
         let amplitude = amplitude(&values);
         let symmetriser = match &scenario.system {
@@ -195,7 +198,7 @@ impl Plan {
 
     /// The particles, in the scalar and dimension of the run, with zeros for components beyond
     /// those of the plan.
-    pub(super) fn particles<S: Scalar, const D: usize, const P: usize>(
+    pub(crate) fn particles<S: Scalar, const D: usize, const P: usize>(
         &self,
     ) -> impl Iterator<Item = Particle<S, D, P>> {
         let values = self.values.chunks_exact(self.names.len());

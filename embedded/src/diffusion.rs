@@ -101,7 +101,8 @@ impl<'a, S: Scalar> Run<'a, S> {
     }
 }
 
-/// Runs the wall in one scalar to its end and prints its line. `false` where the run failed.
+/// Runs the wall in one scalar to its end and prints its line: behind the digest the bytes of its
+/// memory. `false` where the run failed.
 pub fn report<S: Scalar>(
     scalar: &str,
     storage: Option<&mut Storage<S>>,
@@ -110,6 +111,14 @@ pub fn report<S: Scalar>(
     let storage = storage.ok_or(Error::Lengths);
     let outcome = storage.and_then(Run::new).and_then(Run::complete);
     console.row(NAME, PARTICLES, scalar);
-    console.outcome(&outcome);
+    match outcome {
+        Ok(digest) => {
+            console.hexadecimal(digest);
+            console.text(" bytes ");
+            console.decimal(size_of::<Storage<S>>() as u64);
+            console.text("\n");
+        }
+        Err(_) => console.text("failed\n"),
+    }
     outcome.is_ok()
 }

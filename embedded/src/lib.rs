@@ -1,4 +1,4 @@
-//! What the firmwares of a Cortex-M4F share: scenarios, made by `motes export`, and how they are
+//! What the firmwares share: scenarios, made by `motes export`, and how they are
 //! run in static memory and reported.
 #![no_std]
 
@@ -8,6 +8,7 @@ pub mod diffusion;
 pub mod gas;
 pub mod linear;
 mod panic;
+pub mod steps;
 pub mod stopwatch;
 pub mod telegraph;
 pub mod tube;

@@ -1,4 +1,4 @@
-//! Made by `motes export wall-day`, not by hand.
+//! Made by `motes export wall-day -n 96`, not by hand.
 //!
 //! Before a device runs it in a scalar, `motes run` tells whether the scalar can hold it.
 

@@ -15,7 +15,7 @@ use motes_firmware::steps::{self, Steps};
 use motes_firmware::stopwatch::Stopwatch;
 use motes_firmware::wall::{NAME, PARTICLES};
 
-/// The particles stand still and all steps have the stages of the first, so these tell of the others.
+/// The particles stand still, and all steps but the shorter last one have the stages of the first.
 const STEPS: u32 = 16;
 
 #[entry]

@@ -111,6 +111,22 @@ fn scenarios_can_be_listed_shown_and_run_from_a_copy() {
     );
 }
 
+/// A scenario that names a file is run from a copy with a copy of the file beside it.
+#[test]
+fn a_file_that_a_scenario_names_can_be_shown() {
+    let folder = tempfile::tempdir().unwrap();
+    let series = stdout(folder.path(), &["show", "wall-day.csv"]);
+    assert!(series.starts_with("time,temperature\n0,"), "{series}");
+    assert_eq!(series.lines().count(), 74);
+    let text = stdout(folder.path(), &["show", "wall-day"]);
+    std::fs::write(folder.path().join("mine.toml"), text).unwrap();
+    let report = failure(folder.path(), &["run", "mine.toml"], 2);
+    assert!(
+        report.contains("motes show wall-day.csv > wall-day.csv"),
+        "{report}"
+    );
+}
+
 #[test]
 fn checking_for_overflow_changes_no_bit_and_names_the_first_one() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,114 +1,27 @@
 //! The linear systems as they are shipped: accuracy in f64 and f32, the same bits on any number of
 //! threads, sums, growth, and what is refused.
 
-use std::collections::BTreeMap;
+mod systems;
 
-use motes::comparison::Norms;
 use motes::engine::Threads;
-use motes::linear::{Control, Experiment, LinearError, Outcome, Plan};
-use motes::scenario::linear::{LinearScenario, Measured, System};
-use motes::scenario::{AnyScenario, BUILT_IN, Norm, Source};
+use motes::linear::{Control, Experiment, LinearError, Plan};
+use motes::scenario::Norm;
 use motes::simulation::RunError;
-
-/// The scenario with these changes.
-fn scenario(name: &str, changes: &[&str]) -> LinearScenario {
-    let changes: Vec<String> = changes.iter().map(|change| (*change).to_owned()).collect();
-    let source = match name.ends_with(".toml") {
-        true => Source::from(name),
-        false => Source::BuiltIn(name.to_owned()),
-    };
-    LinearScenario::read(source, &changes).unwrap()
-}
-
-/// A run of it.
-fn experiment(
-    scenario: LinearScenario,
-    scalar: &str,
-    threads: usize,
-) -> Result<Experiment, LinearError> {
-    let mut engine = Threads::new(threads).unwrap();
-    let mut control = Control {
-        samples: 10,
-        progress: &mut |_| true,
-        look: &mut |_| Ok(()),
-    };
-    let how = (scalar.parse().unwrap(), false);
-    Experiment::run(scenario, how, &mut engine, &mut control)
-}
-
-fn run(name: &str, scalar: &str, threads: usize, changes: &[&str]) -> Outcome {
-    let scenario = scenario(name, changes);
-    experiment(scenario, scalar, threads)
-        .unwrap_or_else(|error| panic!("{name}: {error}"))
-        .outcome
-}
-
-fn errors(name: &str, scalar: &str, changes: &[&str]) -> BTreeMap<String, Norms> {
-    let scenario = scenario(name, changes);
-    let experiment = experiment(scenario, scalar, 2).unwrap();
-    experiment.errors.unwrap()
-}
-
-/// Every linear scenario that comes with the program.
-fn built_in() -> Vec<LinearScenario> {
-    let all = BUILT_IN.iter().map(|built_in| {
-        let source = Source::BuiltIn(built_in.name.to_owned());
-        AnyScenario::read(source, &[]).unwrap()
-    });
-    all.filter_map(|scenario| match scenario {
-        // tests/diffusion.rs has those of convection-diffusion.
-        AnyScenario::Linear(scenario)
-            if matches!(scenario.system, System::ConvectionDiffusion(_)) =>
-        {
-            None
-        }
-        AnyScenario::Linear(scenario) => Some(*scenario),
-        AnyScenario::Gas(_) => None,
-    })
-    .collect()
-}
+use systems::{assert_same_bits, assert_tolerances, built_in, errors, experiment, run, scenario};
 
 #[test]
 fn every_system_keeps_its_tolerance_in_f64_and_f32() {
-    let all = built_in();
+    let all = built_in(false);
     assert_eq!(all.len(), 11);
-    for scenario in all {
-        assert!(!scenario.tolerances.is_empty(), "{}", scenario.name);
-        // f32: positions are rounded to 3e-5 spacings at a distance of 512.
-        for (scalar, room) in [("f64", 1.0), ("f32", 1.05)] {
-            let experiment = experiment(scenario.clone(), scalar, 2).unwrap();
-            let errors = experiment.errors.unwrap();
-            for tolerance in &scenario.tolerances {
-                let field = match tolerance.field {
-                    Measured::State => "state",
-                    Measured::Reconstruction => "reconstruction",
-                    Measured::Component(i) => &experiment.plan.names[i],
-                };
-                let error = errors[field].of(tolerance.norm);
-                let (name, bound) = (&scenario.name, room * tolerance.value);
-                assert!(
-                    error <= bound,
-                    "{name} in {scalar}: {field} {error} > {bound}"
-                );
-                // A bound that is far away says nothing.
-                assert!(
-                    error > 0.6 * bound,
-                    "{name}: {field} {error}, tighten {bound}"
-                );
-            }
-        }
+    for scenario in &all {
+        assert_tolerances(scenario);
     }
 }
 
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {
-    for scenario in built_in() {
-        let name = scenario.name.clone();
-        let few = ["resolution.particles=900", "time.end=0.05"];
-        let digest = |threads| run(&name, "f32", threads, &few).digest;
-        let one = digest(1);
-        assert_eq!(one, digest(2), "{name}");
-        assert_eq!(one, digest(7), "{name}");
+    for scenario in &built_in(false) {
+        assert_same_bits(scenario, &["resolution.particles=900", "time.end=0.05"]);
     }
 }
 
@@ -196,7 +109,7 @@ fn one_dimension_runs_in_fixed_point_with_exact_sums() {
 /// may at least, and none passes its bound.
 #[test]
 fn the_energy_norm_stays_below_its_bound() {
-    for scenario in built_in() {
+    for scenario in built_in(false) {
         let name = scenario.name.clone();
         let outcome = run(&name, "f64", 2, &["resolution.particles=1024"]);
         for sample in &outcome.series {

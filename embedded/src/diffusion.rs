@@ -78,7 +78,8 @@ impl<'a, S: Scalar> Run<'a, S> {
             Some(step) => step.lesser(left),
             None => {
                 let reach = Rkl2::with_stages(SLAB.stages).reach();
-                self.dynamics.time_step(radius, reach, left)?
+                let longest = left.lesser(SLAB.longest());
+                self.dynamics.time_step(radius, reach, longest)?
             }
         };
         let method = self.dynamics.stabilised(radius, dt, MOST_STAGES);

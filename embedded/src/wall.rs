@@ -225,6 +225,7 @@ pub const SLAB: Slab<'static> = Slab {
     epsilon: 3.1304951684997055,
     courant: 0.5,
     stages: 9,
+    longest: 16.0,
     step: None,
     end: 1024.0,
 };

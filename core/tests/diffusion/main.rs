@@ -8,4 +8,5 @@ mod slab;
 mod sums;
 mod time;
 mod transport;
+mod upwind;
 mod walls;

@@ -54,6 +54,7 @@ const SLAB: Slab<'static> = Slab {
     epsilon: 2.0,
     courant: 0.5,
     stages: 9,
+    longest: 2.0,
     step: None,
     end: 2.0,
 };

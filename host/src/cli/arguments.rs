@@ -48,7 +48,8 @@ Examples:
   motes run sod --json | jq .errors.density.l1      for a script
 
 Files written into --out: particles.csv (with the exact solution), series.csv (the
-diagnostics over time), figure.svg, scenario.toml (what was run, with --set applied).
+diagnostics over time), figure.svg and other pictures, scenario.toml (what was run, with --set
+applied).
 Exit codes: 0 done, 1 the run failed, 2 the input cannot be used, 130 interrupted.";
 
 #[derive(Args)]

@@ -60,6 +60,7 @@ pub(super) fn slab(
         epsilon: plan.epsilon,
         courant: plan.courant,
         stages: plan.stages,
+        longest: plan.longest_step(),
         step: plan.step,
         end: plan.end,
     };
@@ -228,10 +229,11 @@ pub const SLAB: Slab<'static> = Slab {{
     epsilon: {:?},
     courant: {:?},
     stages: {},
+    longest: {:?},
     step: {:?},
     end: {:?},
 }};",
-        slab.epsilon, slab.courant, slab.stages, slab.step, slab.end
+        slab.epsilon, slab.courant, slab.stages, slab.longest, slab.step, slab.end
     );
 }
 

@@ -16,8 +16,11 @@ pub(crate) struct Media<S> {
     bounds: Vec<S>,
     factors: Vec<S>,
     /// By direction, end and species; empty where nothing changes in time.
-    series: Vec<[Vec<Vec<(S, S)>>; 2]>,
+    series: Vec<[Vec<Series<S>>; 2]>,
 }
+
+/// Times and values.
+type Series<S> = Vec<(S, S)>;
 
 impl Plan {
     /// The convection-diffusion of the plan; `None` for another system.
@@ -50,7 +53,7 @@ impl Plan {
             _ => (&[][..], &[][..]),
         };
         let series = |condition: &WallCondition| {
-            let Some(scenario::Drive::Series(series)) = drive(condition) else {
+            let Some(series) = condition.series() else {
                 return Vec::new();
             };
             let unit = self.unit_of_flux(condition);
@@ -183,16 +186,6 @@ pub(crate) fn form(of: &ConvectionDiffusion) -> (Form, Mean) {
         scenario::Mean::Harmonic => Mean::Harmonic,
     };
     (form, mean)
-}
-
-/// What a condition is driven by.
-fn drive(condition: &WallCondition) -> Option<&scenario::Drive> {
-    match condition {
-        WallCondition::NoFlux => None,
-        WallCondition::Value(drive)
-        | WallCondition::Flux(drive)
-        | WallCondition::Exchange { outside: drive, .. } => Some(drive),
-    }
 }
 
 /// A tensor in the dimension of a run.

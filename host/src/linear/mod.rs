@@ -4,6 +4,7 @@
 mod arrays;
 mod comparison;
 mod diffusion;
+mod diffusion_solution;
 mod doubts;
 mod experiment;
 mod field;

@@ -14,9 +14,9 @@ use motes_core::scalar::Scalar;
 use super::field::PlannedField;
 use super::limits::LinearError;
 use super::quadrature::Quadrature;
-use super::solution::solution;
+use super::solution::start;
 use crate::scenario;
-use crate::scenario::linear::{Field, Initial, LinearScenario, Method, Reaction, System};
+use crate::scenario::linear::{Field, LinearScenario, Method, Reaction, System};
 use crate::simulation::{RunError, check_memory, check_numbers};
 use crate::symmetriser::Symmetriser;
 
@@ -87,7 +87,7 @@ impl Plan {
         check_memory(scenario.resolution.particles, 200 + 100 * components)?;
         let quadrature = Quadrature::of(scenario)?;
         let count = quadrature.weights.len();
-        let values = match (solution(scenario)?, quadrature.values) {
+        let values = match (start(scenario)?, quadrature.values) {
             (Some(solution), _) => {
                 let mut values = vec![0.0; count * solution.components()];
                 let rows = values.chunks_exact_mut(solution.components());
@@ -96,10 +96,7 @@ impl Plan {
                 }
                 values
             }
-            (None, values) => match &scenario.initial {
-                Some(Initial::Uniform { state }) => state.repeat(count),
-                _ => values.unwrap_or_default(),
-            },
+            (None, values) => values.unwrap_or_default(),
         };
         let amplitude = amplitude(&values);
         let symmetriser = match &scenario.system {

@@ -108,7 +108,7 @@ impl Call<'_, '_, '_> {
                 _ => self.diffusion::<S, 2, 4>(),
             },
             (System::ConvectionDiffusion(_), 3) => match self.plan.names.len() {
-                0..=1 => self.diffusion::<S, 3, 1>(),
+                0..=1 => self.fast_diffusion::<S, 3, 1>(),
                 _ => self.diffusion::<S, 3, 4>(),
             },
             _ => self.in_fixed_point::<S>(),
@@ -247,6 +247,7 @@ impl Call<'_, '_, '_> {
                 Method::Rkl2 => Stepping::Stabilised(plan.stages),
                 Method::Rk4 | Method::SspRk3 => Stepping::RungeKutta(plan.runge_kutta()),
             },
+            longest: S::from_f64(plan.longest_step()),
         };
         let bytes = DiffusionArrays::<S, D, P>::bytes_per_particle();
         self.complete(solver, bytes)

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::diffusion_solution;
 use crate::exact::linear::acoustics::{
     Medium, plane::AcousticWaveProblem, pulse::AcousticPulseProblem, pulse::Pulse,
     radial::RadialPulseProblem,
@@ -28,8 +29,8 @@ pub fn solution(scenario: &LinearScenario) -> Result<Option<Box<dyn Solution>>, 
     let Some(initial) = &scenario.initial else {
         return Ok(None);
     };
-    if let System::ConvectionDiffusion(_) = scenario.system {
-        return Ok(None);
+    if let System::ConvectionDiffusion(of) = &scenario.system {
+        return diffusion_solution::solution(scenario, of, initial).map(Some);
     }
     let solution: Box<dyn Solution> = match initial {
         Initial::Gaussian {
@@ -55,19 +56,32 @@ pub fn solution(scenario: &LinearScenario) -> Result<Option<Box<dyn Solution>>, 
     Ok(Some(solution))
 }
 
+/// What the state at t = 0 is taken from; `None` where a file holds it.
+///
+/// # Errors
+/// Numbers for which there is none.
+pub(super) fn start(scenario: &LinearScenario) -> Result<Option<Box<dyn Solution>>, SolutionError> {
+    match (&scenario.initial, &scenario.system) {
+        (Some(initial), System::ConvectionDiffusion(of)) => {
+            diffusion_solution::start(scenario, of, initial).map(Some)
+        }
+        _ => solution(scenario),
+    }
+}
+
 /// A vector with zeros beyond the dimension.
-fn spread(vector: &[f64]) -> [f64; 3] {
+pub(super) fn spread(vector: &[f64]) -> [f64; 3] {
     std::array::from_fn(|i| vector.get(i).copied().unwrap_or(0.0))
 }
 
 /// The length of the domain along a direction.
-fn length(scenario: &LinearScenario, axis: usize) -> f64 {
+pub(super) fn length(scenario: &LinearScenario, axis: usize) -> f64 {
     let extent = &scenario.domain.extent;
     extent.upper[axis] - extent.lower[axis]
 }
 
 /// `2π` times whole wavelengths over the lengths of the domain.
-fn wave_vector(scenario: &LinearScenario, wave: &[i32]) -> [f64; 3] {
+pub(super) fn wave_vector(scenario: &LinearScenario, wave: &[i32]) -> [f64; 3] {
     std::array::from_fn(|i| match wave.get(i) {
         Some(&number) => TAU * f64::from(number) / length(scenario, i),
         None => 0.0,
@@ -75,7 +89,7 @@ fn wave_vector(scenario: &LinearScenario, wave: &[i32]) -> [f64; 3] {
 }
 
 /// The periods of a periodic domain.
-fn periods(scenario: &LinearScenario) -> [Option<f64>; 3] {
+pub(super) fn periods(scenario: &LinearScenario) -> [Option<f64>; 3] {
     std::array::from_fn(|i| {
         let sides = scenario.domain.sides.get(i)?;
         (sides[0] == Side::Periodic).then(|| length(scenario, i))
@@ -149,7 +163,7 @@ fn gaussian(
 }
 
 /// A velocity field as the solutions take it.
-fn flow(scenario: &LinearScenario, field: &Field) -> Flow {
+pub(super) fn flow(scenario: &LinearScenario, field: &Field) -> Flow {
     match field {
         Field::Still => Flow::Still,
         Field::Uniform { velocity } => Flow::Uniform {

@@ -96,6 +96,19 @@ pub(super) type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 /// # Errors
 /// Another number of panels.
 pub fn panels(title: &str, x_label: &str, panels: &[Panel]) -> Result<String, FigureError> {
+    legended(title, x_label, ["particles", "exact"], panels)
+}
+
+/// The same with what the points and the lines are.
+///
+/// # Errors
+/// Another number of panels.
+pub fn legended(
+    title: &str,
+    x_label: &str,
+    legend: [&str; 2],
+    panels: &[Panel],
+) -> Result<String, FigureError> {
     let count = panels.len();
     if !(1..=MOST_PANELS).contains(&count) {
         return Err(FigureError::PanelCount { count });
@@ -108,7 +121,7 @@ pub fn panels(title: &str, x_label: &str, panels: &[Panel]) -> Result<String, Fi
     let stride = most.unwrap_or(0).div_ceil(MOST_POINTS).max(1);
     svg((width, height), |canvas| {
         let (head, body) = canvas.split_vertically(HEAD * UNIT.unsigned_abs());
-        draw_head(&head, title, &panels, stride)?;
+        draw_head(&head, (title, legend), &panels, stride)?;
         let x_range = range(panels.iter().flat_map(all).map(|(x, _)| x), 0.02);
         for (index, area) in body
             .split_evenly((rows, columns))
@@ -147,10 +160,11 @@ pub(super) fn svg(
 /// The title, and what points and line mean.
 fn draw_head(
     head: &Canvas<'_>,
-    title: &str,
+    (title, legend): (&str, [&str; 2]),
     panels: &[Panel],
     stride: usize,
 ) -> Result<(), FigureError> {
+    let [points, line] = legend;
     let px = |pixels: i32| pixels * UNIT;
     let style = |size: i32| {
         let middle = Pos::new(HPos::Left, VPos::Center);
@@ -162,8 +176,8 @@ fn draw_head(
     head.draw(&Text::new(title.to_owned(), (x, px(22)), style(18)))?;
     if panels.iter().any(|panel| !panel.points.is_empty()) {
         let label = match stride {
-            1 => "particles".to_owned(),
-            _ => format!("particles (1 in {stride})"),
+            1 => points.to_owned(),
+            _ => format!("{points} (1 in {stride})"),
         };
         head.draw(&Circle::new((x + px(6), y), px(3), PARTICLES.filled()))?;
         head.draw(&Text::new(label.clone(), (x + px(16), y), style(13)))?;
@@ -171,12 +185,12 @@ fn draw_head(
         x += px(16 + 7 * label.len() as i32 + 24);
     }
     if panels.iter().any(|panel| !panel.curve.is_empty()) {
-        let line = vec![(x, y), (x + px(20), y)];
+        let stroke = vec![(x, y), (x + px(20), y)];
         head.draw(&PathElement::new(
-            line,
+            stroke,
             EXACT.stroke_width(2 * UNIT.unsigned_abs()),
         ))?;
-        head.draw(&Text::new("exact", (x + px(27), y), style(13)))?;
+        head.draw(&Text::new(line.to_owned(), (x + px(27), y), style(13)))?;
     }
     Ok(())
 }

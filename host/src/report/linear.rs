@@ -8,6 +8,7 @@ use super::figure::{self, MOST_PANELS, Panel};
 use super::map::{self, MOST_MAPS, Map, rasterised};
 use crate::io;
 use crate::linear::Experiment;
+use crate::scenario::linear::Series;
 
 /// Points of the curve of an exact solution.
 const POINTS: usize = 1000;
@@ -24,6 +25,12 @@ pub fn write(out: &Path, experiment: &Experiment) -> Result<(), Report> {
     let exact = experiment.exact.as_deref();
     let names = &experiment.plan.names;
     io::write_text(&out.join("scenario.toml"), &scenario.text)?;
+    for (_, series) in scenario.system.driven() {
+        // Beside the scenario, so that it can be run again; one in another folder is still there.
+        if Path::new(&series.file).file_name() == Some(series.file.as_ref()) {
+            io::write_text(&out.join(&series.file), &series.text)?;
+        }
+    }
     let dimension = scenario.dimension;
     io::write_cloud(&out.join("particles.csv"), dimension, names, outcome, exact)?;
     io::write_history(&out.join("series.csv"), names, &outcome.series)?;
@@ -60,7 +67,39 @@ pub fn pictures(experiment: &Experiment) -> Result<Vec<(&'static str, String)>, 
     if let Some((name, picture)) = probe(experiment, &title)? {
         pictures.push((name, picture));
     }
+    pictures.extend(history(experiment)?.map(|picture| ("history.svg", picture)));
     Ok(pictures)
+}
+
+/// What walls are driven by over time, and what becomes of the species; `None` where no series
+/// drives one.
+fn history(experiment: &Experiment) -> Result<Option<String>, Report> {
+    let (scenario, samples) = (&experiment.scenario, &experiment.outcome.series);
+    let driven = scenario.system.driven();
+    if driven.is_empty() {
+        return Ok(None);
+    }
+    let panel = |&(component, series): &(usize, &Series)| {
+        let spreads = samples.iter().map(|s| (s.time, &s.spreads[component]));
+        let points = spreads.flat_map(|(time, spread)| {
+            [spread.min, spread.mean, spread.max].map(|value| (time, value))
+        });
+        let drive = series.times.iter().zip(&series.values);
+        let within = drive.filter(|&(&time, _)| time <= scenario.time.end);
+        Panel {
+            heading: experiment.plan.names[component].clone(),
+            points: points.collect(),
+            curve: within.map(|(&time, &value)| (time, value)).collect(),
+        }
+    };
+    let panels: Vec<Panel> = driven.iter().take(MOST_PANELS).map(panel).collect();
+    let legend = ["smallest, mean, largest", "drives the wall"];
+    let time = match scenario.units.time.as_str() {
+        "1" => "time".to_owned(),
+        unit => format!("time, {unit}"),
+    };
+    let title = format!("{}, over time", scenario.name);
+    Ok(Some(figure::legended(&title, &time, legend, &panels)?))
 }
 
 /// What the figure is drawn over.

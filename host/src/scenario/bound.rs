@@ -47,9 +47,9 @@ pub(super) const AMPLITUDE: Bound = Bound {
 };
 
 pub(super) const PART: Bound = Bound {
-    need: ">= -1 and at most 1",
-    holds: |value| (-1.0..=1.0).contains(&value),
-    cure: "give a part, for example 0.5: beyond 1 the diffusivity would fall below 0",
+    need: "> -1 and below 1",
+    holds: |value| value.abs() < 1.0,
+    cure: "give a part, for example 0.5: at 1 the diffusivity falls to 0, beyond it below 0",
 };
 
 pub(super) const THETA: Bound = Bound {

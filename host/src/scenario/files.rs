@@ -71,7 +71,7 @@ impl Files<'_> {
 fn cure(name: &str, path: &Path, is_shipped: bool) -> String {
     if is_shipped {
         let path = path.display();
-        return format!("write the one that comes with motes: `motes show {name} > {path}`");
+        return format!("`motes show {name} > {path}` writes the one that comes with motes");
     }
     "check its name: it is looked for in the folder of the scenario".to_owned()
 }

@@ -171,6 +171,9 @@ fn put(table: &mut dyn TableLike, key: &str, mut value: Value) {
         "epsilon" => drop((table.remove("eta"), table.remove("theta"))),
         "step" => drop(table.remove("stages")),
         "stages" => drop(table.remove("step")),
+        // What goes with the old one only.
+        "method" if value.as_str() != Some("rkl2") => drop(table.remove("stages")),
+        "form" if value.as_str() == Some("mixed") => drop(table.remove("mean")),
         "every" => drop(table.remove("steps")),
         "steps" => drop(table.remove("every")),
         _ => {}

@@ -36,6 +36,8 @@ pub struct Slab<'a> {
     pub courant: f64,
     /// For how many stages a step is made.
     pub stages: u32,
+    /// The longest step that is made without being given.
+    pub longest: f64,
     /// The time step, where it is given: at most the stable one.
     pub step: Option<f64>,
     /// Duration.
@@ -140,6 +142,11 @@ impl Slab<'_> {
     /// The time step, where it is given.
     pub fn step<S: Scalar>(&self) -> Option<S> {
         self.step.map(S::from_f64)
+    }
+
+    /// The longest step that is made without being given.
+    pub fn longest<S: Scalar>(&self) -> S {
+        S::from_f64(self.longest)
     }
 
     /// The duration of the run.

@@ -25,13 +25,21 @@ pub enum SolutionError {
         /// How long it should be.
         need: usize,
     },
+    /// Two things of which each is solved without the other.
+    #[error("{one} together with {other} has no closed form here: leave one of them out")]
+    Together {
+        /// The one.
+        one: &'static str,
+        /// The other.
+        other: &'static str,
+    },
 }
 
 /// A number of a problem: its name, its value, what it should be, and whether it is.
-pub(super) type Number = (&'static str, f64, &'static str, bool);
+pub(in crate::exact) type Number = (&'static str, f64, &'static str, bool);
 
 /// An error that names the first number that is not finite or not as it should be.
-pub(super) fn check(numbers: &[Number]) -> Result<(), SolutionError> {
+pub(in crate::exact) fn check(numbers: &[Number]) -> Result<(), SolutionError> {
     for &(quantity, value, need, holds) in numbers {
         if !value.is_finite() || !holds {
             return Err(SolutionError::OutOfRange {
@@ -45,7 +53,7 @@ pub(super) fn check(numbers: &[Number]) -> Result<(), SolutionError> {
 }
 
 /// An error if a list has not the length it should have.
-pub(super) fn check_length(
+pub(in crate::exact) fn check_length(
     quantity: &'static str,
     length: usize,
     need: usize,
@@ -61,22 +69,22 @@ pub(super) fn check_length(
 }
 
 /// Any number.
-pub(super) fn finite(quantity: &'static str, value: f64) -> Number {
+pub(in crate::exact) fn finite(quantity: &'static str, value: f64) -> Number {
     (quantity, value, "finite", true)
 }
 
 /// Above 0.
-pub(super) fn positive(quantity: &'static str, value: f64) -> Number {
+pub(in crate::exact) fn positive(quantity: &'static str, value: f64) -> Number {
     (quantity, value, "> 0", value > 0.0)
 }
 
 /// 0 or above.
-pub(super) fn not_negative(quantity: &'static str, value: f64) -> Number {
+pub(in crate::exact) fn not_negative(quantity: &'static str, value: f64) -> Number {
     (quantity, value, ">= 0", value >= 0.0)
 }
 
 /// A dimension of space up to `most`.
-pub(super) fn dimension_up_to(dimension: usize, most: usize) -> Number {
+pub(in crate::exact) fn dimension_up_to(dimension: usize, most: usize) -> Number {
     let need = if most == 3 { "1, 2 or 3" } else { "1 or 2" };
     let holds = (1..=most).contains(&dimension);
     ("dimension", dimension as f64, need, holds)

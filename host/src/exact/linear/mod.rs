@@ -12,7 +12,7 @@ pub mod maxwell;
 pub mod modes;
 pub mod plane_wave;
 #[cfg(test)]
-mod residual;
+pub(in crate::exact) mod residual;
 pub mod shallow_water;
 pub mod solution;
 pub mod system;

@@ -13,13 +13,13 @@ const STEP: f64 = 7e-4;
 /// derivative in units of `length`, some tens for a Gaussian of that width: below 1e-12. The
 /// values are wrong by some 3 roundings, `1.5 * 3 * 2e-16 / STEP = 1.4e-12` of u/length, and two
 /// or three such terms add up. A wrong coefficient leaves more than its relative error.
-pub(super) const BOUND: f64 = 1e-11;
+pub(in crate::exact) const BOUND: f64 = 1e-11;
 
 /// How many points in place and time.
 const POINTS: u32 = 40;
 
 /// The left-hand side less the derivative in time, and the right-hand side.
-pub(super) trait Equation {
+pub(in crate::exact) trait Equation {
     fn dimension(&self) -> usize;
     /// `A^i u` along an axis.
     fn flux(&self, position: [f64; 3], axis: usize, state: &[f64]) -> Vec<f64>;
@@ -48,7 +48,7 @@ impl Equation for System {
 
 /// Where to look, and how fast the solution varies there.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Probe {
+pub(in crate::exact) struct Probe {
     /// The points lie within `size` of it in every direction.
     pub center: [f64; 3],
     pub size: f64,
@@ -62,7 +62,7 @@ pub(super) struct Probe {
 
 impl Probe {
     /// A place and a time: multiples of irrational numbers, which leave no gaps.
-    fn point(&self, i: u32, dimension: usize) -> ([f64; 3], f64) {
+    pub(in crate::exact) fn point(&self, i: u32, dimension: usize) -> ([f64; 3], f64) {
         let part = |root: f64| (f64::from(i + 1) * root.sqrt()).fract();
         let parts = [part(2.0), part(3.0), part(5.0)];
         let place = std::array::from_fn(|axis| {
@@ -85,7 +85,11 @@ fn derivative(f: impl Fn(f64) -> Vec<f64>, step: f64) -> Vec<f64> {
 
 /// The largest residual of a component at any of the points as a part of the largest sum of
 /// the magnitudes of its terms; the worst component's.
-pub(super) fn residual(equation: &dyn Equation, solution: &dyn Solution, probe: Probe) -> f64 {
+pub(in crate::exact) fn residual(
+    equation: &dyn Equation,
+    solution: &dyn Solution,
+    probe: Probe,
+) -> f64 {
     let p = solution.components();
     let (mut worst, mut size) = (vec![0.0_f64; p], vec![0.0_f64; p]);
     for i in 0..POINTS {
@@ -112,7 +116,11 @@ pub(super) fn residual(equation: &dyn Equation, solution: &dyn Solution, probe: 
 }
 
 /// That the equation holds.
-pub(super) fn assert_holds(equation: &dyn Equation, solution: &dyn Solution, probe: Probe) {
+pub(in crate::exact) fn assert_holds(
+    equation: &dyn Equation,
+    solution: &dyn Solution,
+    probe: Probe,
+) {
     let residual = residual(equation, solution, probe);
     assert!(residual < BOUND, "residual {residual:e} at {probe:?}");
 }

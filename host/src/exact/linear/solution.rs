@@ -21,7 +21,7 @@ pub trait Solution: Send + Sync {
 }
 
 /// Writes the components one after the other.
-pub(super) fn fill(state: &mut [f64], values: &[f64]) {
+pub(in crate::exact) fn fill(state: &mut [f64], values: &[f64]) {
     for (slot, value) in state.iter_mut().zip(values) {
         *slot = *value;
     }

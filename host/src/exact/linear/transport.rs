@@ -113,7 +113,7 @@ impl Solution for Transport {
 }
 
 /// `∫_0^t e^(-loss t') dt'`.
-fn decaying_integral(loss: f64, time: f64) -> f64 {
+pub(in crate::exact) fn decaying_integral(loss: f64, time: f64) -> f64 {
     if loss == 0.0 {
         time
     } else {

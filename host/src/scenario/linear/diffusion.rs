@@ -64,7 +64,7 @@ pub enum Mean {
 /// The factor `1 + amplitude sin(rate t)` of a diffusivity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Modulation {
-    /// In [-1, 1].
+    /// Above -1 and below 1.
     pub amplitude: f64,
     /// Radians / time.
     pub rate: f64,
@@ -118,7 +118,7 @@ pub(super) fn convection_diffusion(
             None => None,
         },
         tensor: match section.optional("tensor") {
-            Some(entry) => Some(tensor(&entry, domain.sides.len())?),
+            Some(entry) => Some(tensor(&entry, domain)?),
             None => None,
         },
         reaction: match section.optional("reaction") {

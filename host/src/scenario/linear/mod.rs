@@ -10,6 +10,7 @@ mod output;
 mod reaction;
 mod resolution;
 mod series;
+mod sides;
 mod solution;
 mod system;
 mod tensor;

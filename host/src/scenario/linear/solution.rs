@@ -143,13 +143,6 @@ impl Place<'_> {
         need(
             along == 1 || !meets_wall,
             "a wave that meets a wall at an angle is thrown back",
-        )?;
-        let tensor = self.diffusion.tensor.iter().flatten().enumerate();
-        let mut mixed =
-            tensor.flat_map(|(i, row)| row.iter().enumerate().filter(move |e| e.0 != i));
-        need(
-            mixed.all(|(_, &entry)| entry == 0.0),
-            "there is a wall, and the tensor leads along it what comes across",
         )
     }
 

@@ -1,6 +1,6 @@
 //! The systems of equations, by name.
 
-use super::{ConvectionDiffusion, Field, diffusion, field, matrices};
+use super::{ConvectionDiffusion, Field, Series, diffusion, field, matrices};
 use crate::scenario::Domain;
 use crate::scenario::bound::{GAMMA, NOT_NEGATIVE, POSITIVE};
 use crate::scenario::entry::ANY;
@@ -181,6 +181,17 @@ impl System {
                 flow + (gamma * pressure / density).sqrt()
             }
         }
+    }
+
+    /// What drives its walls out of files, with the components that it drives.
+    pub fn driven(&self) -> Vec<(usize, &Series)> {
+        let Self::ConvectionDiffusion(of) = self else {
+            return Vec::new();
+        };
+        let ends = of.walls.iter().flatten();
+        let conditions = ends.flat_map(|species| species.iter().enumerate());
+        let driven = conditions.filter_map(|(i, condition)| Some((i, condition.series()?)));
+        driven.collect()
     }
 
     /// How many components its state has.

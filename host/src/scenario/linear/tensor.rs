@@ -3,13 +3,16 @@
 use super::matrices::matrix;
 use crate::scenario::entry::Entry;
 use crate::scenario::error::Fault;
+use crate::scenario::geometry::AXES;
+use crate::scenario::{Domain, Side};
 
 /// By how much a minor may be below 0, as a part of its terms: what rounding can make of one
 /// that is 0, as of a matrix `v vᵀ`.
 const ROUNDING: f64 = 1e-12;
 
 /// `system.tensor`.
-pub(super) fn tensor(entry: &Entry<'_>, dimension: usize) -> Result<Vec<Vec<f64>>, Fault> {
+pub(super) fn tensor(entry: &Entry<'_>, domain: &Domain) -> Result<Vec<Vec<f64>>, Fault> {
+    let dimension = domain.sides.len();
     if dimension == 1 {
         let reason = "dimension = 1: there is one direction".to_owned();
         return Err(entry.does_not_fit(reason, "take `tensor` out: `diffusivity` says all"));
@@ -34,6 +37,22 @@ pub(super) fn tensor(entry: &Entry<'_>, dimension: usize) -> Result<Vec<Vec<f64>
         let reason = "it has a negative eigenvalue: diffusion would run backwards".to_owned();
         let cure = "make the off-diagonal entries smaller: a pair may be sqrt(a_ii a_jj) at most";
         return Err(entry.does_not_fit(reason, cure));
+    }
+    let walls = domain
+        .sides
+        .iter()
+        .map(|sides| sides.contains(&Side::Mirror));
+    for (i, is_wall) in walls.enumerate() {
+        let slanted = (0..dimension).any(|j| j != i && rows[i][j] != 0.0);
+        if is_wall && slanted {
+            let reason = format!(
+                "row {i} has off-diagonals, and there is a wall across {}: behind a mirror they \
+                 would change sign",
+                AXES[i]
+            );
+            let cure = "set them to 0, or the sides of that direction to \"periodic\" or \"free\"";
+            return Err(entry.does_not_fit(reason, cure));
+        }
     }
     Ok(rows)
 }

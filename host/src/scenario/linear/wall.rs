@@ -29,6 +29,26 @@ pub enum WallCondition {
     },
 }
 
+impl WallCondition {
+    /// What drives it.
+    pub fn drive(&self) -> Option<&Drive> {
+        match self {
+            Self::NoFlux => None,
+            Self::Value(drive) | Self::Flux(drive) | Self::Exchange { outside: drive, .. } => {
+                Some(drive)
+            }
+        }
+    }
+
+    /// The series that drives it, if one does.
+    pub fn series(&self) -> Option<&Series> {
+        match self.drive() {
+            Some(Drive::Series(series)) => Some(series),
+            _ => None,
+        }
+    }
+}
+
 /// A number that drives a wall.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Drive {
@@ -98,8 +118,9 @@ fn place(section: &Section<'_>, domain: &Domain) -> Result<(usize, usize), Fault
     if domain.sides[axis][end] != Side::Mirror {
         let name = AXES[axis];
         let reason = format!("there is no wall at the {} side along {name}", ENDS[end]);
-        let cure =
-            format!("set the side along {name} in domain.sides to \"mirror\", or take it out");
+        let cure = format!(
+            "set the side along {name} in domain.sides to \"mirror\", or take this [[wall]] out"
+        );
         return Err(entry.does_not_fit(reason, &cure));
     }
     Ok((axis, end))

@@ -175,7 +175,7 @@ impl Field {
     }
 
     /// What must hold.
-    pub(super) fn numbers(&self) -> Vec<Number> {
+    pub(in crate::exact) fn numbers(&self) -> Vec<Number> {
         let vector = |name, [x, y, z]: [f64; 3]| [x, y, z].map(|value| finite(name, value));
         let about = |rate, center| {
             let center = vector("center of the velocity", center);

@@ -3,6 +3,7 @@
 use super::super::linear::{Arrangement, Field, Initial, Measured, Method, System};
 use super::*;
 
+mod diffusion;
 mod faults;
 
 fn linear(text: &str, overrides: &[&str]) -> Result<LinearScenario, ScenarioError> {

@@ -1,0 +1,247 @@
+//! Convection-diffusion as it is shipped: accuracy in f64 and f32, both forms, the same bits on any
+//! number of threads, sums, walls, steps, and what is told of doubtful results.
+
+mod systems;
+
+use motes::linear::{Experiment, LinearError, Outcome};
+use systems::{assert_same_bits, assert_tolerances, built_in, errors, experiment, run, scenario};
+
+fn done(name: &str, changes: &[&str]) -> Experiment {
+    experiment(scenario(name, changes), "f64", 2).unwrap()
+}
+
+/// The smallest and the largest value of a component at the end.
+fn range(outcome: &Outcome, component: usize) -> (f64, f64) {
+    let values = outcome.cloud.component(component);
+    let smallest = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    (smallest, largest)
+}
+
+#[test]
+fn every_problem_keeps_its_tolerance_in_f64_and_f32() {
+    let all = built_in(true);
+    assert_eq!(all.len(), 12);
+    for scenario in all.iter().filter(|scenario| scenario.output.exact) {
+        assert_tolerances(scenario);
+    }
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_bits() {
+    for scenario in &built_in(true) {
+        let end = format!("time.end={:e}", scenario.time.end / 50.0);
+        for form in ["system.form=direct", "system.form=mixed"] {
+            assert_same_bits(scenario, &["resolution.particles=900", &end, form]);
+        }
+    }
+}
+
+/// On an uneven cloud, epsilon = 0.7 h^0.75: both forms converge as the cut-off does, `r theta = 1.5`.
+#[test]
+fn both_forms_have_the_predicted_order() {
+    for form in ["direct", "mixed"] {
+        let form = format!("system.form={form}");
+        let counts = [1296u32, 2916, 6561];
+        let errors = counts.map(|count| {
+            let count = format!("resolution.particles={count}");
+            errors("heat2d", "f64", &[&form, &count])["state"].l2
+        });
+        // From each to the next the spacing is two thirds.
+        let order = (errors[0] / errors[2]).ln() / 2.25f64.ln();
+        assert!(
+            (order - 1.5).abs() < 0.2,
+            "{form}: {errors:?}, order {order}, expected 1.5"
+        );
+    }
+}
+
+#[test]
+fn sums_are_conserved_to_rounding() {
+    for (name, scalar, bound) in [
+        ("heat1d", "f64", 1e-14),
+        ("heat2d", "f64", 1e-14),
+        ("shear-gaussian", "f64", 1e-14),
+        ("variable-diffusivity", "f64", 1e-14),
+        ("heat1d", "f32", 1e-6),
+    ] {
+        for form in ["system.form=direct", "system.form=mixed"] {
+            let drift = run(name, scalar, 2, &[form]).drift.unwrap()[0];
+            assert!(drift.abs() < bound, "{name} {form} in {scalar}: {drift}");
+        }
+    }
+    // What comes in through a wall, or reacts, is no drift.
+    for name in ["robin-wall", "decay-chain", "gray-scott"] {
+        let short = format!("time.end={}", scenario(name, &[]).time.end / 100.0);
+        let few = ["resolution.particles=400", &short];
+        assert_eq!(run(name, "f64", 1, &few).drift, None, "{name}");
+    }
+}
+
+#[cfg(feature = "every-scalar")]
+#[test]
+fn in_fixed_point_the_sums_of_runge_kutta_steps_are_exact() {
+    for scalar in ["q12.19", "q15.16", "q31.32"] {
+        for method in ["time.method=ssp-rk3", "time.method=rk4"] {
+            for form in ["system.form=direct", "system.form=mixed"] {
+                let scenario = scenario("heat1d", &[method, form]);
+                let experiment = experiment(scenario, scalar, 2).unwrap();
+                assert_eq!(experiment.outcome.drift.unwrap(), [0.0], "{scalar}");
+                let error = experiment.errors.unwrap()["state"].l2;
+                assert!(error < 5e-3, "{scalar} {method} {form}: {error}");
+            }
+        }
+    }
+}
+
+/// A band carried around a ring: no wiggles at any Peclet number, and without diffusion nothing is
+/// smeared at all.
+#[test]
+fn fronts_stay_sharp_and_smooth_at_every_peclet_number() {
+    for diffusivity in ["1e-2", "1e-3", "1e-4", "1e-5", "1e-6", "0"] {
+        let changed = format!("system.diffusivity={diffusivity}");
+        let experiment = done("advection-dominated", &[&changed]);
+        let (smallest, largest) = range(&experiment.outcome, 0);
+        assert!(
+            smallest >= -1e-12 && largest <= 1.0 + 1e-12,
+            "b = {diffusivity}: {smallest} to {largest}"
+        );
+        let error = experiment.errors.unwrap()["state"].linf;
+        let bound = if diffusivity == "0" { 1e-12 } else { 3e-3 };
+        assert!(error < bound, "b = {diffusivity}: {error}");
+    }
+}
+
+/// Through a jump of the diffusivity by ten the steady flux is the same on both sides: that of the
+/// two resistances in series, to two thousandths: the joint lies somewhere between two particles.
+#[test]
+fn the_flux_through_layers_is_continuous() {
+    let outcome = run("layered-wall", "f64", 2, &["time.end=20"]);
+    let at = |x: f64| {
+        let mut positions = outcome.cloud.positions.iter();
+        let near = positions.position(|p| p[0] > x).unwrap();
+        (
+            outcome.cloud.positions[near][0],
+            outcome.cloud.value(near)[0],
+        )
+    };
+    let flux = |lower: f64, upper: f64, b: f64| {
+        let ((x, u), (y, v)) = (at(lower), at(upper));
+        -b * (v - u) / (y - x)
+    };
+    // 1/(1/0.1 + 1/1).
+    let expected = 1.0 / 11.0;
+    for (lower, upper, b) in [(-0.9, -0.1, 0.1), (0.1, 0.9, 1.0)] {
+        let flux = flux(lower, upper, b);
+        let off = (flux / expected - 1.0).abs();
+        assert!(off < 2.5e-3, "from {lower} to {upper}: {flux}, {expected}");
+    }
+}
+
+/// Spots of v grow into a pattern that fills a part of the square, within the bounds of the
+/// reaction.
+#[test]
+fn gray_scott_makes_a_pattern() {
+    let few = ["resolution.particles=4096", "time.end=1000"];
+    let outcome = run("gray-scott", "f32", 2, &few);
+    for component in 0..2 {
+        let (smallest, largest) = range(&outcome, component);
+        assert!(smallest > -1e-3 && largest < 1.001, "{smallest} {largest}");
+    }
+    let covered = |sample: &motes::linear::Sample| sample.totals[1];
+    let (first, last) = (&outcome.series[0], outcome.series.last().unwrap());
+    let growth = covered(last) / covered(first);
+    assert!(growth > 2.0, "v grew by {growth} only");
+    let (_, largest) = range(&outcome, 1);
+    assert!(largest > 0.25, "no stripes: v <= {largest}");
+}
+
+/// A state of waves of two spacings: the mixed form keeps it and says so, the direct form has damped
+/// it.
+#[test]
+fn waves_that_the_mixed_form_does_not_see_are_told() {
+    let told = |form: &str| {
+        let changes = ["initial.width=0.008", "time.end=0.01", form];
+        let experiment = done("heat1d", &changes);
+        let told = experiment.doubts.join(" ").contains("mixed form");
+        (told, experiment.outcome.undamped)
+    };
+    let (warned, undamped) = told("system.form=mixed");
+    assert!(warned && undamped > 0.1, "{undamped}");
+    assert_eq!(told("system.form=direct"), (false, 0.0));
+    // A state that is resolved is not complained of.
+    let smooth = done("heat1d", &["system.form=mixed"]);
+    assert!(
+        smooth.outcome.undamped < 2e-3,
+        "{}",
+        smooth.outcome.undamped
+    );
+    assert_eq!(smooth.doubts, [""; 0]);
+}
+
+/// Steps may be given: the stages follow from b, epsilon and the step, and the error is that of a
+/// method of second order.
+#[test]
+fn stages_follow_from_the_step() {
+    let with = |step: &str| {
+        let outcome = run("decay-chain", "f64", 1, &[step]);
+        (outcome.sides / outcome.steps, outcome)
+    };
+    let (few, fine) = with("time.step=0.01");
+    let (many, coarse) = with("time.step=0.04");
+    // s² grows with the step.
+    let ratio = (many * many) as f64 / (few * few) as f64;
+    assert!((2.0..6.0).contains(&ratio), "{few} and {many} stages");
+    assert!(coarse.steps < fine.steps);
+    let LinearError::Step { limit, .. } = experiment(
+        scenario("heat1d", &["time.method=rk4", "time.step=0.1"]),
+        "f64",
+        1,
+    )
+    .err()
+    .unwrap() else {
+        panic!("a step of 0.1 is not stable");
+    };
+    let below = format!("time.step={}", 0.99 * limit);
+    run("heat1d", "f64", 1, &["time.method=rk4", &below]);
+}
+
+/// For the same error the stabilised method takes less than a tenth of the right-hand sides of
+/// SSP-RK3 where diffusion is stiff.
+#[test]
+fn the_stabilised_method_saves_nine_tenths_of_the_work() {
+    let stiff = |changes: &[&str]| {
+        let experiment = done("layered-wall", changes);
+        let error = experiment.errors.unwrap()["state"].l2;
+        (experiment.outcome.sides, error)
+    };
+    let (stabilised, error) = stiff(&["time.step=0.1"]);
+    let (explicit, reference) = stiff(&["time.method=ssp-rk3", "time.courant=1"]);
+    println!(
+        "right-hand sides: {stabilised} of RKL2 with an error of {error:.2e}, {explicit} of SSP-RK3 \
+         with {reference:.2e}"
+    );
+    assert!(error < 1.05 * reference, "{error} against {reference}");
+    assert!(
+        10 * stabilised <= explicit,
+        "{stabilised} against {explicit}"
+    );
+}
+
+/// The wall in the weather: the exact solution at its face, driven by the same series.
+#[test]
+fn a_wall_follows_a_measured_series() {
+    let experiment = done("wall-day", &[]);
+    let exact = experiment.exact.unwrap();
+    let cloud = &experiment.outcome.cloud;
+    let worst = (0..cloud.len()).fold(0.0f64, |worst, id| {
+        let exact = exact.at(cloud.positions[id], experiment.outcome.time)[0];
+        worst.max((cloud.value(id)[0] - exact).abs())
+    });
+    assert!(worst < 0.05, "{worst} degrees");
+    // The weather has come through: the wall is not what it was without.
+    let without = ["wall.0.rate=0"];
+    let calm = run("wall-day", "f64", 1, &without);
+    let moved = (calm.cloud.value(0)[0] - cloud.value(0)[0]).abs();
+    assert!(moved > 1.0, "{moved}");
+}

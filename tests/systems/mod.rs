@@ -1,0 +1,103 @@
+//! Linear systems and convection-diffusion run for tests, through the library.
+#![allow(dead_code, reason = "every test uses its part of this module")]
+
+use std::collections::BTreeMap;
+
+use motes::comparison::Norms;
+use motes::engine::Threads;
+use motes::linear::{Control, Experiment, LinearError, Outcome};
+use motes::scenario::linear::{LinearScenario, Measured, System};
+use motes::scenario::{AnyScenario, BUILT_IN, Source};
+
+/// The scenario with these changes.
+pub fn scenario(name: &str, changes: &[&str]) -> LinearScenario {
+    let changes: Vec<String> = changes.iter().map(|change| (*change).to_owned()).collect();
+    let source = match name.ends_with(".toml") {
+        true => Source::from(name),
+        false => Source::BuiltIn(name.to_owned()),
+    };
+    LinearScenario::read(source, &changes).unwrap()
+}
+
+/// A run of it.
+pub fn experiment(
+    scenario: LinearScenario,
+    scalar: &str,
+    threads: usize,
+) -> Result<Experiment, LinearError> {
+    let mut engine = Threads::new(threads).unwrap();
+    let mut control = Control {
+        samples: 10,
+        progress: &mut |_| true,
+        look: &mut |_| Ok(()),
+    };
+    let how = (scalar.parse().unwrap(), false);
+    Experiment::run(scenario, how, &mut engine, &mut control)
+}
+
+pub fn run(name: &str, scalar: &str, threads: usize, changes: &[&str]) -> Outcome {
+    let scenario = scenario(name, changes);
+    experiment(scenario, scalar, threads)
+        .unwrap_or_else(|error| panic!("{name}: {error}"))
+        .outcome
+}
+
+pub fn errors(name: &str, scalar: &str, changes: &[&str]) -> BTreeMap<String, Norms> {
+    let scenario = scenario(name, changes);
+    let experiment = experiment(scenario, scalar, 2).unwrap();
+    experiment.errors.unwrap()
+}
+
+/// Every scenario of one of these systems that comes with the program: of convection-diffusion, or
+/// of the others.
+pub fn built_in(diffuses: bool) -> Vec<LinearScenario> {
+    let all = BUILT_IN.iter().map(|built_in| {
+        let source = Source::BuiltIn(built_in.name.to_owned());
+        AnyScenario::read(source, &[]).unwrap()
+    });
+    let linear = all.filter_map(|scenario| match scenario {
+        AnyScenario::Linear(scenario) => Some(*scenario),
+        AnyScenario::Gas(_) => None,
+    });
+    let is_wanted = |scenario: &LinearScenario| {
+        matches!(scenario.system, System::ConvectionDiffusion(_)) == diffuses
+    };
+    linear.filter(is_wanted).collect()
+}
+
+/// That a scenario keeps its tolerances, and by no great margin.
+pub fn assert_tolerances(scenario: &LinearScenario) {
+    assert!(!scenario.tolerances.is_empty(), "{}", scenario.name);
+    // f32: positions are rounded to 3e-5 spacings at a distance of 512.
+    for (scalar, room) in [("f64", 1.0), ("f32", 1.05)] {
+        let experiment = experiment(scenario.clone(), scalar, 2).unwrap();
+        let errors = experiment.errors.unwrap();
+        for tolerance in &scenario.tolerances {
+            let field = match tolerance.field {
+                Measured::State => "state",
+                Measured::Reconstruction => "reconstruction",
+                Measured::Component(i) => &experiment.plan.names[i],
+            };
+            let error = errors[field].of(tolerance.norm);
+            let (name, bound) = (&scenario.name, room * tolerance.value);
+            assert!(
+                error <= bound,
+                "{name} in {scalar}: {field} {error} > {bound}"
+            );
+            // A bound that is far away says nothing.
+            assert!(
+                error > 0.6 * bound,
+                "{name}: {field} {error}, tighten {bound}"
+            );
+        }
+    }
+}
+
+/// That a scenario gives the same bits on any number of threads.
+pub fn assert_same_bits(scenario: &LinearScenario, few: &[&str]) {
+    let name = &scenario.name;
+    let digest = |threads| run(name, "f32", threads, few).digest;
+    let one = digest(1);
+    assert_eq!(one, digest(2), "{name}");
+    assert_eq!(one, digest(7), "{name}");
+}

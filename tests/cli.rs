@@ -428,7 +428,7 @@ fn an_export_that_is_no_line_says_what_is() {
         let errors = errors.join(" ");
         assert!(
             errors.contains(&format!("does not write `{name}`"))
-                && errors.contains("acoustics and telegraph in dimension 1"),
+                && errors.contains("acoustics, telegraph and convection-diffusion in dimension 1"),
             "{errors}"
         );
     }

@@ -173,3 +173,50 @@ fn a_study_chooses_levels_that_fit_the_cut_off() {
     let coarsest = json["levels"][0]["n"].as_u64().unwrap();
     assert!((300..2000).contains(&coarsest), "{coarsest}");
 }
+
+#[test]
+fn an_export_of_a_slab_carries_its_problem_and_its_series() {
+    let folder = tempfile::tempdir().unwrap();
+    let weather = stdout(folder.path(), &["export", "wall-day"]);
+    for part in [
+        "pub const PARTICLES: usize = 96;",
+        "pub const POINTS: usize = 73;",
+        "pub const LAYERS: usize = 0;",
+        "DrivenCondition::Exchange { rate: 1.51875, outside: Drive::Series(&[\n",
+        "outside: Drive::Constant(20.0) }],",
+        "sides: [Side::Mirror, Side::Mirror],",
+        "stages: 9,",
+    ] {
+        assert!(weather.contains(part), "{part}\n{weather}");
+    }
+    assert_eq!(weather.matches("Particle { ").count(), 96, "{weather}");
+    let layers = stdout(folder.path(), &["export", "layered-wall"]);
+    for part in [
+        "pub const POINTS: usize = 0;",
+        "Conductor::Layers { bounds: &[",
+        "mean: Mean::Harmonic,",
+    ] {
+        assert!(layers.contains(part), "{part}\n{layers}");
+    }
+}
+
+#[test]
+fn an_export_that_is_no_slab_says_why() {
+    let folder = tempfile::tempdir().unwrap();
+    let mixed = ["wall-day", "--set", "system.form=mixed"];
+    let stepped = ["wall-day", "--set", "time.method=rk4"];
+    for (scenario, reason) in [
+        (&["heat2d"][..], "in dimension 2"),
+        (&["decay-chain"], "3 species"),
+        (&mixed, "its form is mixed"),
+        (&stepped, "its method is rk4"),
+    ] {
+        let errors = failure(folder.path(), &[&["export"], scenario].concat(), 2);
+        let errors: Vec<&str> = errors.split_whitespace().collect();
+        // Long lines are broken with a bar in front.
+        let errors = errors.join(" ").replace("│ ", "");
+        let told = format!("does not write `{}`: ", scenario[0]);
+        assert!(errors.contains(&told), "{errors}");
+        assert!(errors.contains(reason), "{reason}\n{errors}");
+    }
+}

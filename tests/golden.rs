@@ -1,8 +1,9 @@
 //! Golden digests: the bits of today are those of yesterday, on every target.
 //!
 //! The rows with the firmware's numbers of particles are checked on the Cortex-M4F by
-//! `./check.sh devices` too. A row may only change with a line in CHANGELOG.md. This makes the
-//! table and what the firmware holds anew, after a change of a built-in scenario:
+//! `./check.sh devices` too, some of them on a Cortex-M0 as well. A row may only change with a line
+//! in CHANGELOG.md. This makes the table and what the firmware holds anew, after a change of a
+//! built-in scenario:
 //!
 //!     cargo test --release --test golden -- --ignored
 
@@ -18,20 +19,22 @@ use motes::{comparison, export, simulation};
 const TABLE: &str = "tests/golden.csv";
 
 /// What the table has: a scenario with some particles in some scalars.
-const ROWS: [(&str, usize, &[&str]); 4] = [
+const ROWS: [(&str, usize, &[&str]); 5] = [
     ("sod", 225, &["f64", "f32", "q12.19", "q31.32"]),
     ("sod", 900, &["f64", "f32", "q12.19", "q31.32"]),
     ("acoustics1d", 64, &LINE),
     ("telegraph", 64, &LINE),
+    ("wall-day", 96, &["f64", "f32", "q15.16", "q31.32"]),
 ];
 
 const LINE: [&str; 5] = ["f64", "f32", "q12.19", "q15.16", "q31.32"];
 
 /// What the firmware holds: a scenario with some particles in a file.
-const EXPORTS: [(&str, usize, &str); 3] = [
+const EXPORTS: [(&str, usize, &str); 4] = [
     ("sod", 225, "embedded/src/tube.rs"),
     ("acoustics1d", 64, "embedded/src/acoustics.rs"),
     ("telegraph", 64, "embedded/src/telegraph.rs"),
+    ("wall-day", 96, "embedded/src/wall.rs"),
 ];
 
 /// The digest of a run on a server.
@@ -82,7 +85,7 @@ fn exported(name: &str, particles: usize) -> String {
         }
         AnyScenario::Linear(scenario) => {
             let plan = linear::Plan::new(&scenario).unwrap();
-            export::line(name, &plan, &command).unwrap()
+            export::linear(name, &plan, &command).unwrap()
         }
     }
 }

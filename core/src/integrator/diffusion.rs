@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::pairs::Engine;
 use crate::scalar::Scalar;
 
-use super::registers::{accumulate, put, remember};
+use super::registers::{accumulate, clear, put, remember};
 use super::rkl2::{MOST_STAGES, Rkl2, Stabilised};
 use super::runge_kutta::{From, RungeKutta, SemiDiscrete};
 
@@ -34,7 +34,8 @@ where
     A: VelocityField<S, D>,
 {
     fn start(&mut self) -> Result<(), Error> {
-        remember(self.state, self.work.start, self.work.sum)
+        clear(self.state.len(), self.work.sum)?;
+        remember(self.state, self.work.start)
     }
 
     fn rates(&mut self, time: S) -> Result<(), Error> {
@@ -73,7 +74,7 @@ where
 {
     fn start(&mut self) -> Result<(), Error> {
         self.work.stages.fill([[S::ZERO; P]; 3]);
-        SemiDiscrete::start(self)
+        remember(self.state, self.work.start)
     }
 
     fn rates(&mut self, time: S) -> Result<(), Error> {

@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::pairs::Engine;
 use crate::scalar::Scalar;
 
-use super::registers::{accumulate, put, remember};
+use super::registers::{accumulate, clear, put, remember};
 use super::runge_kutta::{From, RungeKutta, SemiDiscrete};
 
 /// A solver with the state that it moves.
@@ -36,7 +36,8 @@ where
     A: VelocityField<S, D>,
 {
     fn start(&mut self) -> Result<(), Error> {
-        remember(self.state, self.work.start, self.work.sum)
+        clear(self.state.len(), self.work.sum)?;
+        remember(self.state, self.work.start)
     }
 
     fn rates(&mut self, time: S) -> Result<(), Error> {

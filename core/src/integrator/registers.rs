@@ -5,17 +5,14 @@ use crate::equation::linear::{Register, Start, State};
 use crate::error::Error;
 use crate::scalar::Scalar;
 
-/// Remembers a state as the start of a step and empties the sum of its rates.
+/// Remembers a state as the start of a step.
 pub(super) fn remember<S: Scalar, const D: usize, const P: usize>(
     state: &State<'_, S, D, P>,
     start: &mut [Start<S, D, P>],
-    sum: &mut [Register<S, D, P>],
 ) -> Result<(), Error> {
-    let n = state.len();
-    let (Some(start), Some(sum)) = (start.get_mut(..n), sum.get_mut(..n)) else {
+    let Some(start) = start.get_mut(..state.len()) else {
         return Err(Error::Lengths);
     };
-    sum.fill(Register::ZERO);
     let rows = start.iter_mut().zip(state.position.iter());
     let rows = rows.zip(state.weight.iter());
     for (((start, &position), &weight), &strength) in rows.zip(state.strength.iter()) {
@@ -25,6 +22,16 @@ pub(super) fn remember<S: Scalar, const D: usize, const P: usize>(
             strength,
         };
     }
+    Ok(())
+}
+
+/// Empties the sum of the rates of a step for so many particles.
+pub(super) fn clear<S: Scalar, const D: usize, const P: usize>(
+    particles: usize,
+    sum: &mut [Register<S, D, P>],
+) -> Result<(), Error> {
+    let sum = sum.get_mut(..particles).ok_or(Error::Lengths)?;
+    sum.fill(Register::ZERO);
     Ok(())
 }
 

@@ -4,6 +4,7 @@ mod clouds;
 mod forms;
 mod media;
 mod operator;
+mod slab;
 mod sums;
 mod time;
 mod transport;

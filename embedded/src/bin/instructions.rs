@@ -14,6 +14,7 @@ use motes_core::scalar::{Q32, Q64, Scalar};
 use motes_firmware::acoustics::{CUT_OFF, LINE, NAME, PARTICLES, motion, system};
 use motes_firmware::console::Console;
 use motes_firmware::linear::{Run, Storage};
+use motes_firmware::steps::{self, Steps};
 use motes_firmware::stopwatch::Stopwatch;
 use static_cell::ConstStaticCell;
 
@@ -53,26 +54,9 @@ fn report<S: Scalar>(
     for method in [RK4, SSP_RK3] {
         let steps = count(storage, method, stopwatch);
         console.row(NAME, PARTICLES, scalar);
-        console.text(method.name);
-        match &steps {
-            Ok(steps) => {
-                for number in [steps.first, steps.longest, size_of::<Storage<S>>() as u64] {
-                    console.text(",");
-                    console.decimal(number);
-                }
-                console.text("\n");
-            }
-            Err(_) => console.text(",failed\n"),
-        }
-        ok &= steps.is_ok();
+        ok &= steps::report(method.name, &steps, size_of::<Storage<S>>(), console);
     }
     ok
-}
-
-/// Instructions of a step.
-struct Steps {
-    first: u64,
-    longest: u64,
 }
 
 /// Counts every step of the run.
@@ -87,19 +71,5 @@ fn count<S: Scalar>(
         (CUT_OFF, system::<S>(), motion::<S>()),
         method,
     )?;
-    let mut steps = Steps {
-        first: 0,
-        longest: 0,
-    };
-    loop {
-        let mut more = Ok(false);
-        let count = stopwatch.instructions(|| more = run.step());
-        if !more? {
-            return Ok(steps);
-        }
-        if steps.first == 0 {
-            steps.first = count;
-        }
-        steps.longest = steps.longest.max(count);
-    }
+    Steps::count(stopwatch, u32::MAX, || run.step())
 }

@@ -24,7 +24,7 @@ pub(super) fn export(arguments: &ExportArguments) -> Result<(), Failure> {
         AnyScenario::Gas(scenario) => gas(scenario, &command),
         AnyScenario::Linear(scenario) => linear::Plan::new(scenario)
             .map_err(miette::Report::from)
-            .and_then(|plan| Ok(export::line(&scenario.name, &plan, &command)?)),
+            .and_then(|plan| Ok(export::linear(&scenario.name, &plan, &command)?)),
     };
     super::print(&text.map_err(Failure::Input)?)
 }

@@ -13,8 +13,8 @@ use crate::scenario::linear::System;
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 #[error("`motes export` does not write `{name}`: it is {system} in dimension {dimension}")]
 #[diagnostic(help(
-    "it writes gas tubes, and acoustics and telegraph in dimension 1; a device can run another \
-     system, but its LinearDynamics must be made by hand as that of \
+    "it writes gas tubes, and acoustics, telegraph and convection-diffusion in dimension 1; a device \
+     can run another system, but its LinearDynamics must be made by hand as that of \
      motes_core::equation::linear::Line is"
 ))]
 pub struct NoLine {
@@ -24,10 +24,10 @@ pub struct NoLine {
 }
 
 /// What a constructor of the core is called, and how it is called.
-struct Constructor {
-    name: &'static str,
-    types: &'static str,
-    call: String,
+pub(super) struct Constructor {
+    pub name: &'static str,
+    pub types: &'static str,
+    pub call: String,
 }
 
 /// The source of a module with a `LINE`, its `system`, its `motion` and the capacities it needs.
@@ -36,7 +36,7 @@ struct Constructor {
 ///
 /// # Errors
 /// Anything but acoustics and the telegraph line in one dimension.
-pub fn line(name: &str, plan: &Plan, command: &str) -> Result<String, NoLine> {
+pub(super) fn line(name: &str, plan: &Plan, command: &str) -> Result<String, NoLine> {
     let refused = || NoLine {
         name: name.to_owned(),
         system: plan.system.name(),
@@ -127,7 +127,7 @@ pub const LINE: Line<'static, {components}> = Line {{
 }
 
 /// A list of imports, as rustfmt has it.
-fn sorted<const N: usize>(mut names: [&str; N]) -> String {
+pub(super) fn sorted<const N: usize>(mut names: [&str; N]) -> String {
     names.sort_unstable();
     names.join(", ")
 }
@@ -187,7 +187,7 @@ fn system(plan: &Plan) -> Option<Constructor> {
 
 /// What the particles follow, where it is of one dimension. The numbers are those that a run
 /// rounds to its scalar.
-fn motion(plan: &Plan) -> Option<Constructor> {
+pub(super) fn motion(plan: &Plan) -> Option<Constructor> {
     let (name, types, fields) = match plan.motion::<f64, 1>() {
         NamedField::Still => return Some(still()),
         NamedField::Uniform(field) => (

@@ -11,6 +11,7 @@ use motes_core::integrator::{MOST_STAGES, Rkl2, RungeKutta};
 use motes_core::scalar::Scalar;
 
 use super::arrays::DiffusionArrays;
+use super::plan::Plan;
 use super::solver::Solver;
 use crate::engine::{HostScalar, Threads};
 
@@ -35,7 +36,14 @@ pub(super) struct Diffusion<'a, S, C, const D: usize, const P: usize> {
 
 /// The fewest steps of a run whose step is not given: with steps of second order a wave that falls to
 /// `1/e` is off by some 1e-5 then.
-pub(super) const FEWEST_STEPS: f64 = 64.0;
+const FEWEST_STEPS: f64 = 64.0;
+
+impl Plan {
+    /// The longest step that is made without being asked for.
+    pub(crate) fn longest_step(&self) -> f64 {
+        self.end / FEWEST_STEPS
+    }
+}
 
 impl<S: HostScalar, C: CutOff, const D: usize, const P: usize> Diffusion<'_, S, C, D, P> {
     /// The bound of the spectral radius that the rates made last give.

@@ -12,16 +12,19 @@ use crate::scenario::linear as scenario;
 use crate::scenario::linear::{ConvectionDiffusion, System, WallCondition};
 
 /// The lists that a problem refers to, in solver units.
-pub(super) struct Media<S> {
+pub(crate) struct Media<S> {
     bounds: Vec<S>,
     factors: Vec<S>,
     /// By direction, end and species; empty where nothing changes in time.
-    series: Vec<[Vec<Vec<(S, S)>>; 2]>,
+    series: Vec<[Vec<Series<S>>; 2]>,
 }
+
+/// Times and values.
+type Series<S> = Vec<(S, S)>;
 
 impl Plan {
     /// The convection-diffusion of the plan; `None` for another system.
-    pub(super) fn convection_diffusion(&self) -> Option<&ConvectionDiffusion> {
+    pub(crate) fn convection_diffusion(&self) -> Option<&ConvectionDiffusion> {
         match &self.system {
             System::ConvectionDiffusion(problem) => Some(problem),
             _ => None,
@@ -42,7 +45,7 @@ impl Plan {
     }
 
     /// The lists of a problem.
-    pub(super) fn media<S: Scalar>(&self, problem: &ConvectionDiffusion) -> Media<S> {
+    pub(crate) fn media<S: Scalar>(&self, problem: &ConvectionDiffusion) -> Media<S> {
         let (bounds, factors) = match &problem.profile {
             scenario::Conductor::Layers { bounds, factors } => {
                 (bounds.as_slice(), factors.as_slice())
@@ -73,7 +76,7 @@ impl Plan {
     }
 
     /// The problem, with nothing for species beyond those of the plan.
-    pub(super) fn problem<'a, S: Scalar, const D: usize, const P: usize>(
+    pub(crate) fn problem<'a, S: Scalar, const D: usize, const P: usize>(
         &self,
         of: &ConvectionDiffusion,
         media: &'a Media<S>,
@@ -173,7 +176,7 @@ impl Plan {
 }
 
 /// The form of the core.
-pub(super) fn form(of: &ConvectionDiffusion) -> (Form, Mean) {
+pub(crate) fn form(of: &ConvectionDiffusion) -> (Form, Mean) {
     let form = match of.form {
         scenario::Form::Direct => Form::Direct,
         scenario::Form::Mixed => Form::Mixed,

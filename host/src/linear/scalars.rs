@@ -9,7 +9,7 @@ use motes_core::equation::linear::{FirstOrderSystem, LinearDynamics};
 use motes_core::scalar::{Checked, Micro, Q32, Q64};
 
 use super::arrays::{DiffusionArrays, LinearArrays};
-use super::diffusion::{Diffusion, FEWEST_STEPS, Stepping};
+use super::diffusion::{Diffusion, Stepping};
 use super::limits::LinearError;
 use super::media::form;
 use super::outcome::Outcome;
@@ -247,7 +247,7 @@ impl Call<'_, '_, '_> {
                 Method::Rkl2 => Stepping::Stabilised(plan.stages),
                 Method::Rk4 | Method::SspRk3 => Stepping::RungeKutta(plan.runge_kutta()),
             },
-            longest: S::from_f64(plan.end / FEWEST_STEPS),
+            longest: S::from_f64(plan.longest_step()),
         };
         let bytes = DiffusionArrays::<S, D, P>::bytes_per_particle();
         self.complete(solver, bytes)

@@ -60,6 +60,10 @@ impl<S: Scalar> Modulation<S> {
 
     /// The factor at a time.
     pub fn factor(&self, time: S) -> S {
+        // The same bits without a sine for each particle at each stage.
+        if self.amplitude == S::ZERO {
+            return S::ONE;
+        }
         S::ONE + self.amplitude * sine_of_turns(self.frequency * time)
     }
 

@@ -139,7 +139,7 @@ where
 
     /// How far a particle acts: a little more than the support, so that a pair beyond it
     /// contributes exactly 0.
-    pub(super) fn reach(&self) -> S {
+    pub fn reach(&self) -> S {
         let reach = S::count(self.cut_off.support()) * self.epsilon;
         reach + reach * S::from_f64(1.0 / 64.0)
     }

@@ -16,6 +16,7 @@ mod problem;
 mod rates;
 mod reaction;
 mod reconstruction;
+mod slab;
 mod storage;
 mod wall;
 
@@ -28,5 +29,6 @@ pub use named::NamedProblem;
 pub use node::{DiffusionNode, DiffusionSums};
 pub use problem::{DiffusionProblem, Heat};
 pub use reaction::Reaction;
-pub use storage::{DiffusionStorage, DiffusionWorkspace, MixedWorkspace};
+pub use slab::{Lists, Slab};
+pub use storage::{DiffusionStorage, DiffusionWorkspace, DirectStorage, MixedWorkspace};
 pub use wall::Condition;

@@ -9,7 +9,8 @@ use crate::pairs::{Fields, Settled};
 use crate::scalar::Scalar;
 
 /// Memory that a step works in. All but `starts` of the cells hold as many as there are
-/// particles; the last two are empty for the direct form.
+/// particles; the last two are empty for the direct form, and `sum` for
+/// [`advance_split`](super::DiffusionDynamics::advance_split).
 pub struct DiffusionWorkspace<'a, S: Scalar, const D: usize, const P: usize> {
     /// For the search for partners.
     pub cells: CellBuffers<'a, S, D>,
@@ -23,7 +24,7 @@ pub struct DiffusionWorkspace<'a, S: Scalar, const D: usize, const P: usize> {
     pub start: &'a mut [Start<S, D, P>],
     /// The rates that were made last.
     pub last: &'a mut [Register<S, D, P>],
-    /// The weighted sum of the rates of a step.
+    /// The weighted sum of the rates of a step by a Runge-Kutta method.
     pub sum: &'a mut [Register<S, D, P>],
     /// For the stabilised method: rates of the first stage, and the increments of the two before.
     pub stages: &'a mut [[[S; P]; 3]],
@@ -41,11 +42,76 @@ pub struct MixedWorkspace<'a, S: Scalar, const D: usize, const P: usize> {
     pub sums: &'a mut [Settled<MixedNode<S, D, P>, DiffusionSums<S, P>>],
 }
 
-/// A problem of at most `N` particles on at most `C - 1` cells, with its workspace for both
-/// forms, in one piece of memory without a heap.
+/// A problem of at most `N` particles on at most `C - 1` cells, with the workspace of the direct form
+/// and the stabilised method, in one piece of memory without a heap.
 ///
-/// `C` must exceed [`cell_bound`](crate::neighbours::cell_bound)`(N)`; a `static` one costs no
-/// stack.
+/// `C` above [`cell_bound`](crate::neighbours::cell_bound)`(N)` is enough for any cloud; between two
+/// ends one above the cells of [`Grid::fit`] is. A `static` one costs no stack.
+pub struct DirectStorage<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
+{
+    cloud: CloudStorage<S, D, P, N, C>,
+    nodes: [DiffusionNode<S, D, P>; N],
+    sums: [Settled<DiffusionNode<S, D, P>, DiffusionSums<S, P>>; N],
+    last: [Register<S, D, P>; N],
+    stages: [[[S; P]; 3]; N],
+}
+
+impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize> Default
+    for DirectStorage<S, D, P, N, C>
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
+    DirectStorage<S, D, P, N, C>
+{
+    /// An empty cloud.
+    pub const fn new() -> Self {
+        Self {
+            cloud: CloudStorage::new(),
+            nodes: [DiffusionNode::ZERO; N],
+            sums: [Settled::new(DiffusionNode::ZERO, DiffusionSums::ZERO); N],
+            last: [Register::ZERO; N],
+            stages: [[[S::ZERO; P]; 3]; N],
+        }
+    }
+
+    /// Adds a particle; its id is the number of particles before it. Error: no room.
+    pub fn push(&mut self, particle: Particle<S, D, P>) -> Result<(), Error> {
+        self.cloud.push(particle)
+    }
+
+    /// Removes all particles.
+    pub fn clear(&mut self) {
+        self.cloud.clear();
+    }
+
+    /// The state and the workspace, as the solver takes them. With a Runge-Kutta method or the
+    /// mixed form a step then fails: [`Error::Lengths`].
+    pub fn parts(&mut self) -> (State<'_, S, D, P>, DiffusionWorkspace<'_, S, D, P>) {
+        let (state, cells, start) = self.cloud.parts();
+        let work = DiffusionWorkspace {
+            cells,
+            grid: None,
+            nodes: &mut self.nodes,
+            sums: &mut self.sums,
+            start,
+            last: &mut self.last,
+            sum: &mut [],
+            stages: &mut self.stages,
+            fluxes: &mut [],
+            mixed: MixedWorkspace {
+                nodes: &mut [],
+                sums: &mut [],
+            },
+        };
+        (state, work)
+    }
+}
+
+/// A [`DirectStorage`] with the workspace of both forms and all methods.
 pub struct DiffusionStorage<
     S: Scalar,
     const D: usize,
@@ -53,12 +119,8 @@ pub struct DiffusionStorage<
     const N: usize,
     const C: usize,
 > {
-    cloud: CloudStorage<S, D, P, N, C>,
-    nodes: [DiffusionNode<S, D, P>; N],
-    sums: [Settled<DiffusionNode<S, D, P>, DiffusionSums<S, P>>; N],
-    last: [Register<S, D, P>; N],
+    direct: DirectStorage<S, D, P, N, C>,
     sum: [Register<S, D, P>; N],
-    stages: [[[S; P]; 3]; N],
     fluxes: [Settled<DiffusionNode<S, D, P>, FluxSums<S, D, P>>; N],
     mixed_nodes: [MixedNode<S, D, P>; N],
     mixed_sums: [Settled<MixedNode<S, D, P>, DiffusionSums<S, P>>; N],
@@ -78,12 +140,8 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
     /// An empty cloud.
     pub const fn new() -> Self {
         Self {
-            cloud: CloudStorage::new(),
-            nodes: [DiffusionNode::ZERO; N],
-            sums: [Settled::new(DiffusionNode::ZERO, DiffusionSums::ZERO); N],
-            last: [Register::ZERO; N],
+            direct: DirectStorage::new(),
             sum: [Register::ZERO; N],
-            stages: [[[S::ZERO; P]; 3]; N],
             fluxes: [Settled::new(DiffusionNode::ZERO, FluxSums::ZERO); N],
             mixed_nodes: [MixedNode::ZERO; N],
             mixed_sums: [Settled::new(MixedNode::ZERO, DiffusionSums::ZERO); N],
@@ -92,31 +150,25 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
 
     /// Adds a particle; its id is the number of particles before it. Error: no room.
     pub fn push(&mut self, particle: Particle<S, D, P>) -> Result<(), Error> {
-        self.cloud.push(particle)
+        self.direct.push(particle)
     }
 
     /// Removes all particles.
     pub fn clear(&mut self) {
-        self.cloud.clear();
+        self.direct.clear();
     }
 
     /// The state and the workspace, as the solver takes them.
     pub fn parts(&mut self) -> (State<'_, S, D, P>, DiffusionWorkspace<'_, S, D, P>) {
-        let (state, cells, start) = self.cloud.parts();
+        let (state, work) = self.direct.parts();
         let work = DiffusionWorkspace {
-            cells,
-            grid: None,
-            nodes: &mut self.nodes,
-            sums: &mut self.sums,
-            start,
-            last: &mut self.last,
             sum: &mut self.sum,
-            stages: &mut self.stages,
             fluxes: &mut self.fluxes,
             mixed: MixedWorkspace {
                 nodes: &mut self.mixed_nodes,
                 sums: &mut self.mixed_sums,
             },
+            ..work
         };
         (state, work)
     }

@@ -1,0 +1,63 @@
+//! The instructions of the steps of a run.
+
+use motes_core::error::Error;
+
+use crate::console::Console;
+use crate::stopwatch::Stopwatch;
+
+/// Instructions of a step.
+pub struct Steps {
+    /// Of the first one.
+    pub first: u64,
+    /// Of the longest one.
+    pub longest: u64,
+}
+
+impl Steps {
+    /// Counts the first steps of a run, `most` at the most. `step` makes one; `false` where the end
+    /// has been reached before.
+    pub fn count(
+        stopwatch: &Stopwatch,
+        most: u32,
+        mut step: impl FnMut() -> Result<bool, Error>,
+    ) -> Result<Self, Error> {
+        let mut steps = Self {
+            first: 0,
+            longest: 0,
+        };
+        for _ in 0..most {
+            let mut more = Ok(false);
+            let count = stopwatch.instructions(|| more = step());
+            if !more? {
+                break;
+            }
+            if steps.first == 0 {
+                steps.first = count;
+            }
+            steps.longest = steps.longest.max(count);
+        }
+        Ok(steps)
+    }
+}
+
+/// Prints the end of a line: method, instructions of the first step and of the longest, bytes of
+/// memory. `false` where the run failed.
+pub fn report(
+    method: &str,
+    steps: &Result<Steps, Error>,
+    bytes: usize,
+    console: &mut Console,
+) -> bool {
+    console.text(method);
+    match steps {
+        Ok(steps) => {
+            for number in [steps.first, steps.longest, bytes as u64] {
+                console.text(",");
+                console.decimal(number);
+            }
+            console.text("\n");
+        }
+        Err(_) => console.text(",failed\n"),
+    }
+    steps.is_ok()
+}

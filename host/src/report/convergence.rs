@@ -111,7 +111,7 @@ impl fmt::Display for Convergence {
                 let nothing = if guaranteed > 0.0 { "" } else { ": nothing" };
                 writeln!(
                     f,
-                    "guaranteed {guaranteed:.2}: Theorem 2, for any cloud{nothing}"
+                    "guaranteed {guaranteed:.2}: Theorems 2 and 3, for any cloud{nothing}"
                 )?;
             }
             _ => writeln!(f, "predicted  none: no theorem covers gas dynamics")?,

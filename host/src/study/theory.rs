@@ -1,8 +1,8 @@
-//! What Theorem 2 says of a study.
+//! What Theorems 2 and 3 say of a study.
 
 /// What the order of a linear system depends on, with `eps = C h^theta`.
 ///
-/// Theorem 2, (2.9): the error is `O(eps^r + h^m/eps^(m+s))`, s = 1, for a cut-off of order r
+/// Theorem 2, (2.9), and Theorem 3 for convection-diffusion: the error is `O(eps^r + h^m/eps^(m+s))`, s = 1, for a cut-off of order r
 /// in `W^(m+s,1)`. Gas dynamics has no theorem.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Theory {

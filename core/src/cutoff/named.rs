@@ -47,17 +47,15 @@ macro_rules! named {
             fn normalisation<const D: usize>(self) -> f64 {
                 match self { $(Self::$variant => $value.normalisation::<D>(),)* }
             }
-            // Called, not copied into every loop: a third of the time to build, and the choice among
-            // so many costs more than the call.
-            #[inline(never)]
+            #[inline]
             fn value<const D: usize, N: Number>(self, a: N) -> N {
                 match self { $(Self::$variant => $value.value::<D, N>(a),)* }
             }
-            #[inline(never)]
+            #[inline]
             fn gradient<const D: usize, N: Number>(self, a: N) -> N {
                 match self { $(Self::$variant => $value.gradient::<D, N>(a),)* }
             }
-            #[inline(never)]
+            #[inline]
             fn curvature<const D: usize, N: Number>(self, a: N) -> N {
                 match self { $(Self::$variant => $value.curvature::<D, N>(a),)* }
             }

@@ -47,16 +47,15 @@ pub struct Flux<S, C, const D: usize, const P: usize> {
 pub struct Divergence<S, C, const D: usize, const P: usize>(pub Flux<S, C, D, P>);
 
 impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Flux<S, C, D, P> {
-    /// `ε ∇ζ_kl`.
+    /// The factor of `n = r/ε` in `ε ∇ζ_kl`, and whether the pair is within the support.
+    ///
+    /// Laws multiply all scalars before they turn to vectors: the order in which the compiler works on
+    /// all lanes at once (three times as fast).
     #[inline(always)]
-    fn gradient<N: Number<Scalar = S>>(&self, r: &[N; D], distance_squared: N) -> ([N; D], N) {
+    fn factor<N: Number<Scalar = S>>(&self, distance_squared: N) -> (N, N) {
         let a = self.cut_off.argument(distance_squared) * N::splat(self.scale);
         let factor = N::splat(self.height) * self.cut_off.gradient::<D, N>(a);
-        let mut gradient = *r;
-        for i in 0..D {
-            gradient[i] = factor * (r[i] * N::splat(self.inverse_epsilon));
-        }
-        (gradient, a.below(N::splat(self.cut_off.edge())))
+        (factor, a.below(N::splat(self.cut_off.edge())))
     }
 }
 
@@ -74,14 +73,15 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Flux<S,
         to_k: &mut FluxSums<N, D, P>,
         to_l: &mut FluxSums<N, D, P>,
     ) {
-        let (gradient, near) = self.gradient(r, distance_squared);
+        let (factor, near) = self.factor(distance_squared);
         for j in 0..P {
-            let difference = l.value[j] - k.value[j];
+            let difference = factor * (l.value[j] - k.value[j]);
+            let (term_k, term_l) = (l.weight * difference, k.weight * difference);
             for i in 0..D {
-                let term = difference * gradient[i];
+                let n = r[i] * N::splat(self.inverse_epsilon);
                 // Both signs change from the other side: the slope is the same.
-                to_k.slope[j][i] += l.weight * term;
-                to_l.slope[j][i] += k.weight * term;
+                to_k.slope[j][i] += term_k * n;
+                to_l.slope[j][i] += term_l * n;
             }
         }
         to_k.partners += near;
@@ -107,14 +107,18 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Diverge
         to_k: &mut DiffusionSums<N, P>,
         to_l: &mut DiffusionSums<N, P>,
     ) {
-        let (gradient, _) = self.0.gradient(r, distance_squared);
-        let weights = k.node.weight * l.node.weight;
+        let (factor, _) = self.0.factor(distance_squared);
+        let mut n = *r;
+        for i in 0..D {
+            n[i] = r[i] * N::splat(self.0.inverse_epsilon);
+        }
+        let factor = (k.node.weight * l.node.weight) * factor;
         for j in 0..P {
-            let mut sum = k.flux[j];
+            let mut sum = n;
             for i in 0..D {
                 sum[i] = k.flux[j][i] + l.flux[j][i];
             }
-            let term = weights * N::dot(&sum, &gradient);
+            let term = factor * N::dot(&sum, &n);
             to_k.rate[j] -= term;
             to_l.rate[j] += term;
         }
@@ -154,6 +158,20 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Diverge
     }
 }
 
+/// The same in every lane. By index: a map in a map is copied through memory, lane by lane.
+#[inline(always)]
+fn splat<S: Scalar, N: Number<Scalar = S>, const D: usize, const P: usize>(
+    vectors: &[[S; D]; P],
+) -> [[N; D]; P] {
+    let mut lanes = [[N::zero(); D]; P];
+    for j in 0..P {
+        for i in 0..D {
+            lanes[j][i] = N::splat(vectors[j][i]);
+        }
+    }
+    lanes
+}
+
 impl<S: Scalar, const D: usize, const P: usize> Fields<S> for MixedNode<S, D, P> {
     type Of<N: Number<Scalar = S>> = MixedNode<N, D, P>;
     const ZERO: Self = Self {
@@ -165,7 +183,7 @@ impl<S: Scalar, const D: usize, const P: usize> Fields<S> for MixedNode<S, D, P>
     fn splat<N: Number<Scalar = S>>(&self) -> MixedNode<N, D, P> {
         MixedNode {
             node: self.node.splat(),
-            flux: self.flux.map(|flux| flux.map(N::splat)),
+            flux: splat(&self.flux),
         }
     }
     #[inline(always)]
@@ -208,7 +226,7 @@ impl<S: Scalar, const D: usize, const P: usize> Fields<S> for FluxSums<S, D, P> 
     #[inline(always)]
     fn splat<N: Number<Scalar = S>>(&self) -> FluxSums<N, D, P> {
         FluxSums {
-            slope: self.slope.map(|slope| slope.map(N::splat)),
+            slope: splat(&self.slope),
             partners: N::splat(self.partners),
         }
     }

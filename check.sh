@@ -34,7 +34,8 @@ lint() {
 
 tests() {
   say "tests"
-  cargo test --release --workspace
+  # As the README has it: all of the workspace.
+  cargo test --release
 }
 
 # Says what to install; never skips.

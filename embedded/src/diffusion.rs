@@ -73,7 +73,7 @@ impl<'a, S: Scalar> Run<'a, S> {
             return Ok(false);
         };
         let time = self.clock.time;
-        let radius = self.dynamics.radius(&self.state, &self.work, time);
+        let radius = self.dynamics.radius(&self.state, &self.work);
         let dt = match self.step {
             Some(step) => step.lesser(left),
             None => {

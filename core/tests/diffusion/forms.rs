@@ -1,11 +1,14 @@
 //! Both forms in the plane.
 
-use motes_core::equation::diffusion::Form;
+use motes_core::domain::{Axis, Domain};
+use motes_core::equation::diffusion::{
+    DiffusionDynamics, Drive, DrivenCondition, Form, Mean, NamedProblem,
+};
 use motes_core::equation::linear::Still;
 use motes_core::integrator::SSP_RK3;
 use motes_core::pairs::HalfLoop;
 
-use crate::clouds::{distorted, plane, run, with_a_large_stack};
+use crate::clouds::{Work, distorted, plane, run, with_a_large_stack};
 
 /// A Gaussian of width `w` under heat: `w² -> w² + 4 t`, in units of the square.
 fn kernel(x: f64, y: f64, time: f64) -> f64 {
@@ -60,21 +63,74 @@ fn the_mixed_form_loses_what_its_fluxes_dissipate() {
         solver
             .prepare(&mut HalfLoop, &mut state, &mut work)
             .unwrap();
-        let squared = 1.9 * 1.9;
-        let rows = state.value.iter().zip(work.last.iter());
-        let gained: f64 = rows
-            .map(|(u, rates)| u[0] * rates.strength[0] / squared)
-            .sum();
-        let lost: f64 = work.mixed.nodes[..(n * n) as usize]
-            .iter()
-            .map(|node| {
-                let [p] = node.flux;
-                node.node.weight * (p[0] * p[0] + p[1] * p[1]) / squared / 0.7
-            })
-            .sum();
+        let u = state.value.iter().map(|u| u[0]);
+        let (gained, lost) = energy(u, &work, (1.9, 0.7));
         assert!(
             lost > 1e-3 && ((gained + lost) / lost).abs() < 1e-12,
             "{gained} {lost}"
         );
+    });
+}
+
+/// `d/dt Σ w u²/2` by the rates, and `Σ w |p|²/b` by the fluxes, with ε and b.
+fn energy(
+    u: impl ExactSizeIterator<Item = f64>,
+    work: &Work<'_, f64, 2>,
+    (epsilon, b): (f64, f64),
+) -> (f64, f64) {
+    let (squared, n) = (epsilon * epsilon, u.len());
+    let gained: f64 = u
+        .zip(work.last.iter())
+        .map(|(u, rates)| u * rates.strength[0] / squared)
+        .sum();
+    let lost: f64 = work.mixed.nodes[..n]
+        .iter()
+        .map(|node| {
+            let [p] = node.flux;
+            node.node.weight * (p[0] * p[0] + p[1] * p[1]) / squared / b
+        })
+        .sum();
+    (gained, lost)
+}
+
+/// The same between walls that let nothing through and walls held at 0, on a state that is no
+/// smoother than the cloud: what is seen behind a wall neither feeds the state nor drains it.
+#[test]
+fn walls_add_nothing_to_what_the_mixed_form_dissipates() {
+    with_a_large_stack(|| {
+        let n = 24;
+        let held = DrivenCondition::Value(Drive::Constant(0.0));
+        for walls in [
+            [[[DrivenCondition::NoFlux]; 2]; 2],
+            [[[held]; 2]; 2],
+            [[[held]; 2], [[DrivenCondition::NoFlux], [held]]],
+        ] {
+            let mut problem = NamedProblem::heat([0.7]);
+            problem.walls = walls;
+            let solver = DiffusionDynamics {
+                domain: Domain {
+                    axes: [Axis::walls(-12.0, 12.0); 2],
+                },
+                problem,
+                cut_off: plane(n, Still, Form::Mixed, 0.7, 1.9).cut_off,
+                epsilon: 1.9,
+                field: Still,
+                form: Form::Mixed,
+                mean: Mean::Arithmetic,
+                courant: 0.5,
+            };
+            let rough = |x: f64, y: f64| (400.0 * x * y + 90.0 * x).sin() + (70.0 * y).cos();
+            let mut storage = distorted::<1024>(n, 0.05, rough);
+            let (mut state, mut work) = storage.parts();
+            solver
+                .prepare(&mut HalfLoop, &mut state, &mut work)
+                .unwrap();
+            let u = state.value.iter().map(|u| u[0]);
+            let (gained, lost) = energy(u, &work, (1.9, 0.7));
+            assert!(
+                lost > 1e-3 && ((gained + lost) / lost).abs() < 1e-12,
+                "{walls:?}: {gained} {lost}"
+            );
+        }
     });
 }

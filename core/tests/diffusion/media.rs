@@ -107,7 +107,7 @@ fn layered_error(mean: Mean) -> f64 {
     let dt = 50.0;
     for i in 0..200 {
         let time = f64::from(i) * dt;
-        let method = Rkl2::for_product(dt * solver.radius(&state, &work, time));
+        let method = Rkl2::for_product(dt * solver.radius(&state, &work));
         solver
             .advance_split(method, engine, &mut state, &mut work, (time, dt))
             .unwrap();
@@ -162,6 +162,37 @@ fn a_diffusivity_that_varies_in_space_and_time_has_its_modes() {
         assert!(observed > 1.5, "{errors:?}: order {observed}");
     }
     assert!(errors[2] < 1e-3, "{errors:?}");
+}
+
+/// The last stage of a stabilised step lies before its end: where `b` swings fast, what it is at the one
+/// time says nothing of the other. The bound of a step is that of the largest `b` all the same.
+#[test]
+fn the_bound_of_the_step_is_that_of_the_largest_diffusivity() {
+    let mut problem = NamedProblem::heat([1.0]);
+    problem.modulation = Modulation {
+        amplitude: 0.9,
+        frequency: 3.7,
+    };
+    for form in [Form::Direct, Form::Mixed] {
+        let solver: Slab = line(40, problem, form, 1.2);
+        let mut storage = storage::<f64, 1, 64>();
+        fill(&mut storage, 40, f64::sin);
+        let (mut state, mut work) = storage.parts();
+        let engine = &mut HalfLoop;
+        solver.prepare(engine, &mut state, &mut work).unwrap();
+        let first = solver.radius(&state, &work);
+        for i in 0..20 {
+            let step = (0.1 * f64::from(i), 0.1);
+            solver
+                .advance_split(Rkl2::with_stages(5), engine, &mut state, &mut work, step)
+                .unwrap();
+            let radius = solver.radius(&state, &work);
+            assert!(
+                (radius / first - 1.0).abs() < 1e-12,
+                "{form:?}, step {i}: {radius}, {first} at the start"
+            );
+        }
+    }
 }
 
 #[test]

@@ -40,7 +40,7 @@ fn stiff(
 fn stabilised(steps: u32) -> (f64, u32) {
     stiff(|solver, state, work, end| {
         let dt = end / f64::from(steps);
-        let method = Rkl2::for_product(dt * solver.radius(state, work, 0.0));
+        let method = Rkl2::for_product(dt * solver.radius(state, work));
         for i in 0..steps {
             let step = (f64::from(i) * dt, dt);
             solver

@@ -182,6 +182,7 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionArrays<S, D, P> {
             sums: &mut self.sums,
             start: &mut registers.start,
             last: &mut registers.last,
+            time: S::ZERO,
             sum: &mut registers.sum,
             stages: &mut self.stages,
             fluxes: &mut self.fluxes,

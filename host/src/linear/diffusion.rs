@@ -47,13 +47,8 @@ impl Plan {
 
 impl<S: HostScalar, C: CutOff, const D: usize, const P: usize> Diffusion<'_, S, C, D, P> {
     /// The bound of the spectral radius that the rates made last give.
-    fn radius(
-        &self,
-        state: &State<'_, S, D, P>,
-        work: &DiffusionWorkspace<'_, S, D, P>,
-        time: S,
-    ) -> S {
-        self.dynamics.radius(state, work, time)
+    fn radius(&self, state: &State<'_, S, D, P>, work: &DiffusionWorkspace<'_, S, D, P>) -> S {
+        self.dynamics.radius(state, work)
     }
 
     /// The largest `-λ dt` of a step.
@@ -96,8 +91,8 @@ impl<S: HostScalar, C: CutOff, const D: usize, const P: usize> Solver<S, D, P>
         self.dynamics.prepare(engine, state, work)
     }
 
-    fn stable_step(&self, state: &State<'_, S, D, P>, work: &Self::Work<'_>, time: S) -> Option<S> {
-        let radius = self.radius(state, work, time);
+    fn stable_step(&self, state: &State<'_, S, D, P>, work: &Self::Work<'_>, _: S) -> Option<S> {
+        let radius = self.radius(state, work);
         (radius > S::ZERO).then(|| self.reach(MOST_STAGES) / radius)
     }
 
@@ -105,14 +100,14 @@ impl<S: HostScalar, C: CutOff, const D: usize, const P: usize> Solver<S, D, P>
         &self,
         state: &State<'_, S, D, P>,
         work: &Self::Work<'_>,
-        time: S,
+        _: S,
         longest: S,
     ) -> Result<S, Error> {
         let stages = match self.stepping {
             Stepping::Stabilised(stages) => stages,
             Stepping::RungeKutta(_) => 0,
         };
-        let radius = self.radius(state, work, time);
+        let radius = self.radius(state, work);
         let longest = Scalar::lesser(longest, self.longest);
         self.dynamics.time_step(radius, self.reach(stages), longest)
     }
@@ -131,7 +126,7 @@ impl<S: HostScalar, C: CutOff, const D: usize, const P: usize> Solver<S, D, P>
                 Ok(method.sides())
             }
             Stepping::Stabilised(_) => {
-                let radius = self.radius(state, work, time);
+                let radius = self.radius(state, work);
                 let method = dynamics.stabilised(radius, dt, MOST_STAGES);
                 let method = method.unwrap_or(Rkl2::with_stages(MOST_STAGES));
                 dynamics.advance_split(method, engine, state, work, (time, dt))?;
@@ -219,7 +214,7 @@ impl<S: HostScalar, C: CutOff, const D: usize, const P: usize> Solver<S, D, P>
         };
         direct.rates(engine, state, work, time)?;
         let reacted = self.dynamics.problem.reaction_rate();
-        let fastest = (direct.radius(state, work, time) - reacted).to_f64();
+        let fastest = (direct.radius(state, work) - reacted).to_f64();
         let squared = self.dynamics.epsilon.to_f64() * self.dynamics.epsilon.to_f64();
         let scale = squared * fastest;
         let rows = mixed.iter().zip(work.last.iter());

@@ -80,12 +80,7 @@ where
     /// Direct form: Gershgorin's circles, `2 max_k Σ_l w_l (b_k + b_l) |bracket_kl|`. Mixed form:
     /// `max b (κ/ε)²`, `κ = ∫ |∂_1 ζ| dx`, times the trace of the tensor. Times what `b` may yet
     /// grow by; to it comes the bound of the reactions.
-    pub fn radius(
-        &self,
-        state: &State<'_, S, D, P>,
-        work: &DiffusionWorkspace<'_, S, D, P>,
-        time: S,
-    ) -> S {
+    pub fn radius(&self, state: &State<'_, S, D, P>, work: &DiffusionWorkspace<'_, S, D, P>) -> S {
         let n = state.len();
         let largest = match self.form {
             Form::Direct => {
@@ -102,7 +97,7 @@ where
                 conductor * (kappa * kappa) * self.stretch()
             }
         };
-        let largest = largest * self.problem.headroom(time);
+        let largest = largest * self.problem.headroom(work.time);
         largest / self.epsilon / self.epsilon + self.problem.reaction_rate()
     }
 

@@ -144,6 +144,13 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Diverge
         let species = image.flux.iter_mut().zip(conditions);
         let nodes = node.node.value.iter().zip(&node.node.diffusivity);
         for ((flux, condition), (&u, &b)) in species.zip(nodes) {
+            // Behind a held value `2 g - u` falls along the wall where u rises.
+            if let Condition::Value(_) = condition {
+                let along = flux.iter_mut().enumerate();
+                along
+                    .filter(|(i, _)| *i != wall.axis)
+                    .for_each(|(_, component)| *component = -*component);
+            }
             if let Some(component) = flux.get_mut(wall.axis) {
                 let outwards = if wall.end == 0 {
                     -*component

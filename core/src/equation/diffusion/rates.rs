@@ -68,6 +68,7 @@ where
             }
         };
         work.grid = Some(grid);
+        work.time = time;
         self.show(state, work, time);
         let cells = work.cells.cells(grid, n);
         let laws = self.law(time);

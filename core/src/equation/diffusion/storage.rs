@@ -24,6 +24,8 @@ pub struct DiffusionWorkspace<'a, S: Scalar, const D: usize, const P: usize> {
     pub start: &'a mut [Start<S, D, P>],
     /// The rates that were made last.
     pub last: &'a mut [Register<S, D, P>],
+    /// The time at which they were made: of a stage, which need not be the end of a step.
+    pub time: S,
     /// The weighted sum of the rates of a step by a Runge-Kutta method.
     pub sum: &'a mut [Register<S, D, P>],
     /// For the stabilised method: rates of the first stage, and the increments of the two before.
@@ -99,6 +101,7 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
             sums: &mut self.sums,
             start,
             last: &mut self.last,
+            time: S::ZERO,
             sum: &mut [],
             stages: &mut self.stages,
             fluxes: &mut [],

@@ -1,16 +1,14 @@
-//! Runs of linear systems: from a scenario to a plan in solver units, its particles stepped to
+//! Runs of linear systems and convection-diffusion: from a scenario to a plan in solver units, its particles stepped to
 //! the end, and the result compared with the exact solution.
 
 mod arrays;
 mod comparison;
 mod diffusion;
-mod diffusion_solution;
 mod doubts;
 mod experiment;
 mod field;
 mod growth;
 mod limits;
-mod media;
 mod outcome;
 mod plan;
 mod quadrature;

@@ -9,9 +9,8 @@ use motes_core::equation::linear::{FirstOrderSystem, LinearDynamics};
 use motes_core::scalar::{Checked, Micro, Q32, Q64};
 
 use super::arrays::{DiffusionArrays, LinearArrays};
-use super::diffusion::{Diffusion, Stepping};
+use super::diffusion::{Diffusion, Stepping, form};
 use super::limits::LinearError;
-use super::media::form;
 use super::outcome::Outcome;
 use super::plan::Plan;
 use super::run::{Control, run_with};

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::diffusion_solution;
+use super::diffusion::solution as diffusion;
 use crate::exact::linear::acoustics::{
     Medium, plane::AcousticWaveProblem, pulse::AcousticPulseProblem, pulse::Pulse,
     radial::RadialPulseProblem,
@@ -30,7 +30,7 @@ pub fn solution(scenario: &LinearScenario) -> Result<Option<Box<dyn Solution>>, 
         return Ok(None);
     };
     if let System::ConvectionDiffusion(of) = &scenario.system {
-        return diffusion_solution::solution(scenario, of, initial).map(Some);
+        return diffusion::solution(scenario, of, initial).map(Some);
     }
     let solution: Box<dyn Solution> = match initial {
         Initial::Gaussian {
@@ -63,7 +63,7 @@ pub fn solution(scenario: &LinearScenario) -> Result<Option<Box<dyn Solution>>, 
 pub(super) fn start(scenario: &LinearScenario) -> Result<Option<Box<dyn Solution>>, SolutionError> {
     match (&scenario.initial, &scenario.system) {
         (Some(initial), System::ConvectionDiffusion(of)) => {
-            diffusion_solution::start(scenario, of, initial).map(Some)
+            diffusion::start(scenario, of, initial).map(Some)
         }
         _ => solution(scenario),
     }

@@ -1,6 +1,6 @@
 //! The state at t = 0 of convection-diffusion, and the solution that belongs to it.
 
-use super::solution::{flow, length, periods, spread, wave_vector};
+use super::super::solution::{flow, length, periods, spread, wave_vector};
 use crate::exact::diffusion::band::BandProblem;
 use crate::exact::diffusion::gaussian::GaussianProblem;
 use crate::exact::diffusion::legendre::LegendreProblem;
@@ -20,7 +20,7 @@ use crate::scenario::linear::{
 ///
 /// # Errors
 /// Numbers for which there is none.
-pub(super) fn start(
+pub(in crate::linear) fn start(
     scenario: &LinearScenario,
     of: &ConvectionDiffusion,
     initial: &Initial,
@@ -54,7 +54,7 @@ pub(super) fn start(
 ///
 /// # Errors
 /// Numbers for which there is none.
-pub(super) fn solution(
+pub(in crate::linear) fn solution(
     scenario: &LinearScenario,
     of: &ConvectionDiffusion,
     initial: &Initial,

@@ -10,14 +10,14 @@ use motes_core::error::Error;
 use motes_core::integrator::{MOST_STAGES, Rkl2, RungeKutta};
 use motes_core::scalar::Scalar;
 
-use super::arrays::DiffusionArrays;
-use super::plan::Plan;
-use super::solver::Solver;
+use super::super::arrays::DiffusionArrays;
+use super::super::plan::Plan;
+use super::super::solver::Solver;
 use crate::engine::{HostScalar, Threads};
 
 /// How its steps are made.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Stepping {
+pub(in crate::linear) enum Stepping {
     /// Transport and diffusion together.
     RungeKutta(RungeKutta),
     /// Diffusion by the stabilised method between two halves of transport, with steps for so many
@@ -26,7 +26,7 @@ pub(super) enum Stepping {
 }
 
 /// A convection-diffusion problem (4.1) and how it is stepped.
-pub(super) struct Diffusion<'a, S, C, const D: usize, const P: usize> {
+pub(in crate::linear) struct Diffusion<'a, S, C, const D: usize, const P: usize> {
     pub dynamics: DiffusionDynamics<S, C, NamedProblem<'a, S, D, P>, NamedField<S, D>, D, P>,
     pub stepping: Stepping,
     /// The longest step that is made without being asked for: stability alone would let a run that is

@@ -7,7 +7,7 @@ use motes_core::equation::diffusion::{
 };
 use motes_core::scalar::Scalar;
 
-use super::plan::Plan;
+use super::super::plan::Plan;
 use crate::scenario::linear as scenario;
 use crate::scenario::linear::{ConvectionDiffusion, System, WallCondition};
 

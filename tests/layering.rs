@@ -17,9 +17,10 @@ const CORE: [&str; 10] = [
 ];
 
 /// The layers of the host, lowest first.
-const HOST: [&str; 21] = [
+const HOST: [&str; 22] = [
     "units",
     "sums",
+    "table",
     "symmetriser",
     "engine",
     "exact",

@@ -19,4 +19,5 @@ pub mod study;
 pub mod suite;
 pub mod sums;
 pub mod symmetriser;
+mod table;
 pub mod units;

@@ -1,5 +1,5 @@
-//! Runs of linear systems and convection-diffusion: from a scenario to a plan in solver units, its particles stepped to
-//! the end, and the result compared with the exact solution.
+//! Runs of linear systems and convection-diffusion: from a scenario to a plan in solver units, its
+//! particles stepped to the end, and the result compared with the exact solution.
 
 mod arrays;
 mod comparison;

@@ -7,9 +7,9 @@
 
 use std::path::Path;
 
-use super::table::{self, Column, Fault, Row, Table};
 use super::{Placed, SetupError};
 use crate::scenario::{EquationOfState, Scenario};
+use crate::table::{self, Column, Fault, Row, Table};
 
 /// The particles of a file, in its order.
 pub(super) fn read(path: &Path, scenario: &Scenario) -> Result<Vec<Placed>, SetupError> {

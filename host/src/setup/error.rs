@@ -1,6 +1,6 @@
 //! Why a scenario gives no particles.
 
-use super::table::CloudError;
+use crate::table::CloudError;
 
 /// Why a scenario gives no particles.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]

@@ -24,15 +24,15 @@ mod random;
 mod regions;
 mod sampled;
 mod square;
-pub(crate) mod table;
 #[cfg(test)]
 mod tests;
 
+pub use crate::table::CloudError;
 pub use apportion::apportion;
 pub use error::SetupError;
-pub use table::CloudError;
 
 use crate::scenario::{Arrangement, Scenario};
+use crate::table::MOST_ROWS;
 
 /// A particle at t = 0, in the scenario's units; components beyond the dimension are 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,7 +55,7 @@ pub struct Placed {
 }
 
 /// Ids, cells and words of neighbour lists are 32 bits wide; cells are up to four a particle.
-pub const LARGEST: usize = 1 << 29;
+pub const LARGEST: usize = MOST_ROWS;
 
 /// The particles of a scenario at t = 0.
 ///

@@ -2,7 +2,7 @@
 //! from u the same everywhere, with ends that change in time.
 //!
 //! Let g be what drives an end, for values less the initial one, W the steady state for g = 1
-//! at this end and 0 at the other, and phi_n, lambda_n the [`eigenmodes`]. Green's formula gives
+//! at this end and 0 at the other, and phi_n, lambda_n the `eigenmodes`. Green's formula gives
 //! `W_n = -psi_n/lambda_n`, with `D dphi_n/dn`, `phi_n` or `-rate phi_n` at this end for psi_n where
 //! it is a value, a flux or an exchange:
 //!
@@ -13,7 +13,7 @@
 //! balance. Carslaw and Jaeger, sections 1.14 and 3.1; M. D. Mikhailov and M. N. Ozisik, Unified
 //! Analysis and Solutions of Heat and Mass Diffusion, 1984.
 //!
-//! There are [`MODES`] modes; of the faster ones, as long as `a_n = psi_n g'/lambda_n^2`, the sum is
+//! There are `MODES` modes; of the faster ones, as long as `a_n = psi_n g'/lambda_n^2`, the sum is
 //! `g' z` less what the known ones have of it, `d_x(D d_x z) = W`. u is then good to some 1e-14 of
 //! the largest g but for a time `35/lambda_N = 2.2e-5 T^2`, `T = Σ thickness/sqrt(D)`, after t = 0
 //! and after a corner of g. In that time u near the end is wrong by up to `g(0) e^-(lambda_N t)`, and

@@ -4,7 +4,7 @@ use crate::scenario::error::Fault;
 use crate::scenario::files::Files;
 use crate::scenario::problem::Problem;
 use crate::scenario::section::Section;
-use crate::setup::table;
+use crate::table;
 
 /// A number at some times, linear between them, constant before the first and after the last.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,7 +6,8 @@ use std::path::Path;
 
 use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
 
-use super::LARGEST;
+/// The most rows of a file: as many particles as ids can count.
+pub(crate) const MOST_ROWS: usize = 1 << 29;
 
 /// Why a file is no cloud of particles, and where.
 ///
@@ -175,8 +176,8 @@ impl<'a> Table<'a> {
         let mut count = 0;
         for record in reader(self.text).records() {
             let record = record.map_err(|error| broken(self.text, &error))?;
-            if count == LARGEST {
-                let message = format!("more than {LARGEST} {}s", self.each);
+            if count == MOST_ROWS {
+                let message = format!("more than {MOST_ROWS} {}s", self.each);
                 let help = format!("give fewer {}s", self.each);
                 return Err(Fault::new(message, help, self.first_line()));
             }

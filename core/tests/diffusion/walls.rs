@@ -1,6 +1,7 @@
 //! Conditions at walls.
 
 use motes_core::equation::diffusion::{Condition, Form};
+use motes_core::error::Error;
 use motes_core::integrator::SSP_RK3;
 use motes_core::pairs::HalfLoop;
 
@@ -23,6 +24,10 @@ fn straight_profiles_are_steady_under_every_condition() {
             [Condition::Flux(b * slope), Condition::Flux(-b * slope)],
             [Condition::Value(u(-20.0)), exchange],
         ] {
+            // That is refused.
+            if form == Form::Mixed && ends[1] == exchange {
+                continue;
+            }
             let mut storage = storage::<f64, 1, 64>();
             fill(&mut storage, n, u);
             let solver = line(n, Slab { ends }, form, 1.5);
@@ -59,5 +64,26 @@ fn a_wall_held_at_a_value_heats_the_slab() {
         let depth = x[0] + 50.0;
         let exact = libm::erfc(depth / (2.0 * (0.5 * end).sqrt()));
         assert!((u[0] - exact).abs() < 4e-3, "{depth}: {} {exact}", u[0]);
+    }
+}
+
+/// In the mixed form an exchange feeds waves of two spacings at any step.
+#[test]
+fn the_mixed_form_is_refused_between_walls_that_exchange() {
+    let exchange = Condition::Exchange {
+        rate: 0.2,
+        outside: 1.0,
+    };
+    for (form, answer) in [
+        (Form::Direct, Ok(())),
+        (Form::Mixed, Err(Error::MixedExchange)),
+    ] {
+        let mut storage = storage::<f64, 1, 64>();
+        fill(&mut storage, 40, |_| 0.0);
+        let ends = [Condition::NoFlux, exchange];
+        let solver = line(40, Slab { ends }, form, 1.5);
+        let (mut state, mut work) = storage.parts();
+        let prepared = solver.prepare(&mut HalfLoop, &mut state, &mut work);
+        assert_eq!(prepared, answer);
     }
 }

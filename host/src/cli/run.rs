@@ -155,7 +155,7 @@ pub(super) fn failure(error: RunError) -> Failure {
 pub(super) fn linear_failure(error: LinearError) -> Failure {
     match error {
         LinearError::Run(error) => failure(error),
-        LinearError::Growth { .. } => Failure::Run(error.into()),
+        LinearError::Growth { .. } | LinearError::Lost { .. } => Failure::Run(error.into()),
         LinearError::Quadrature(_)
         | LinearError::Solution(_)
         | LinearError::Symmetriser(_)

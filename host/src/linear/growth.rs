@@ -44,8 +44,11 @@ impl Monitor {
     /// Moves the bound on by a step in which `‖f‖` is `source`.
     ///
     /// # Errors
-    /// A norm beyond it.
+    /// A norm beyond it, or that is no number, also where there is no bound.
     pub fn step(&mut self, time: f64, dt: f64, source: f64, norm: f64) -> Result<(), LinearError> {
+        if !norm.is_finite() {
+            return Err(LinearError::Lost { time });
+        }
         let Some(rate) = self.rate else {
             return Ok(());
         };
@@ -101,6 +104,10 @@ mod tests {
         let mut monitor = Monitor::new(Some(0.0), 4, 0.1, 1.0);
         assert!(monitor.step(1.0, 1.0, 0.0, f64::NAN).is_err());
         assert!(monitor.step(1.0, 1.0, 0.0, f64::INFINITY).is_err());
+        let mut unbounded = Monitor::new(None, 2, 0.1, 1.0);
+        assert!(unbounded.step(1.0, 1.0, 0.0, 1e300).is_ok());
+        let error = unbounded.step(1.0, 1.0, 0.0, f64::NAN).unwrap_err();
+        assert!(error.to_string().contains("t = 1.0 the energy norm is no"));
     }
 
     #[test]

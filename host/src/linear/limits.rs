@@ -67,10 +67,21 @@ pub enum LinearError {
         /// What it may have grown to.
         bound: f64,
     },
+    /// A norm that is no number.
+    #[error("at t = {time:?} the energy norm is no number any more")]
+    #[diagnostic(help(
+        "the run has become unstable, or a reaction grows without end: use a smaller time.courant or \
+         time.step, or a slower reaction"
+    ))]
+    Lost {
+        /// When.
+        time: f64,
+    },
     /// A system that is not compiled for fixed point.
     #[error("{system} in dimension {dimension} does not run in `{scalar}`")]
     #[diagnostic(help(
-        "fixed point is for transport, acoustics and telegraph in one dimension; use f64 or f32"
+        "fixed point is for transport, acoustics, telegraph and convection-diffusion of one species, \
+         in one dimension; use f64 or f32"
     ))]
     NoFixedPoint {
         /// The system.

@@ -217,6 +217,7 @@ impl Plan {
             ("the number of particles", self.weights.len() as f64),
             ("a weight", largest(&self.weights)),
             ("a value", largest(&self.values)),
+            ("what drives a wall", self.largest_drive()),
         ];
         numbers.extend(self.step.map(|step| ("the time step", step)));
         for axis in &self.axes[..self.dimension] {

@@ -81,7 +81,7 @@ impl LinearSummary {
         );
         let thin = (min < 2.0 && plan.epsilon > 0.0).then(|| {
             format!(
-                "a particle has {min} neighbour(s): the cloud is too thin there for waves; use a \
+                "a particle has {min} neighbour(s): the cloud is too thin there; use a \
                  larger epsilon (cut-off.eta)"
             )
         });

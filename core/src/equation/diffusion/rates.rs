@@ -25,7 +25,7 @@ where
     /// rates and its neighbours. Must run once before the first step.
     ///
     /// Errors: arrays of unequal lengths, a weight that is not above 0, a particle without
-    /// neighbours.
+    /// neighbours, a wall that exchanges under the mixed form.
     pub fn prepare(
         &self,
         engine: &mut impl Engine<S, D>,
@@ -36,6 +36,11 @@ where
             return Err(Error::Lengths);
         }
         state.check()?;
+        let exchanges = |wall: &Condition<S>| matches!(wall, Condition::Exchange { .. });
+        let walls = self.walls(S::ZERO);
+        if self.form == Form::Mixed && walls.iter().flatten().flatten().any(exchanges) {
+            return Err(Error::MixedExchange);
+        }
         state.weigh();
         work.grid = None;
         self.rates(engine, state, work, S::ZERO)?;

@@ -11,7 +11,9 @@ pub enum Condition<S> {
     Value(S),
     /// The flux is this.
     Flux(S),
-    /// The flux is `rate (u - outside)`: Robin's condition. `rate`: length/time, >= 0.
+    /// The flux is `rate (u - outside)`: Robin's condition. `rate`: length/time, >= 0. For the direct
+    /// form: in the mixed one the flux that passes would be that of the image's particle instead of
+    /// the one it acts on, which is unstable at any step.
     Exchange {
         /// How well the wall conducts.
         rate: S,

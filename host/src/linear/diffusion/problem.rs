@@ -44,6 +44,25 @@ impl Plan {
         }
     }
 
+    /// The largest number that drives a wall during the run, in solver units; 0 without any.
+    pub(in crate::linear) fn largest_drive(&self) -> f64 {
+        let Some(problem) = self.convection_diffusion() else {
+            return 0.0;
+        };
+        let largest = |condition: &WallCondition| {
+            let largest = match condition.drive() {
+                Some(scenario::Drive::Constant(value)) => value.abs(),
+                Some(scenario::Drive::Series(series)) => within(series, self.duration)
+                    .iter()
+                    .fold(0.0, |largest: f64, (_, value)| largest.max(value.abs())),
+                None => 0.0,
+            };
+            largest / self.unit_of_flux(condition)
+        };
+        let walls = problem.walls.iter().flatten().flatten();
+        walls.map(largest).fold(0.0, f64::max)
+    }
+
     /// The lists of a problem.
     pub(crate) fn media<S: Scalar>(&self, problem: &ConvectionDiffusion) -> Media<S> {
         let (bounds, factors) = match &problem.profile {
@@ -57,11 +76,11 @@ impl Plan {
                 return Vec::new();
             };
             let unit = self.unit_of_flux(condition);
-            let points = series.times.iter().zip(&series.values);
-            let point = |(time, value): (&f64, &f64)| {
+            let point = |(time, value): (f64, f64)| {
                 let time = time / self.unit_of_time();
                 (S::from_f64(time), S::from_f64(value / unit))
             };
+            let points = within(series, self.duration).into_iter();
             points.map(point).collect()
         };
         let ends = |ends: &[Vec<WallCondition>; 2]| {
@@ -175,6 +194,29 @@ impl Plan {
     }
 }
 
+/// The part of a series that a run of that duration meets: what lies beyond may not fit its format.
+fn within(series: &scenario::Series, duration: f64) -> Vec<(f64, f64)> {
+    let points = series
+        .times
+        .iter()
+        .copied()
+        .zip(series.values.iter().copied());
+    let points: Vec<(f64, f64)> = points.collect();
+    let start = Drive::Series(&points).at(0.0);
+    let end = Drive::Series(&points).at(duration);
+    let between = points.iter().filter(|(t, _)| (0.0..=duration).contains(t));
+    let mut part: Vec<(f64, f64)> = between.copied().collect();
+    if points.first().is_some_and(|(first, _)| *first < 0.0) {
+        part.insert(0, (0.0, start));
+        part.dedup_by_key(|(time, _)| *time);
+    }
+    if points.last().is_some_and(|(last, _)| *last > duration) {
+        part.push((duration, end));
+        part.dedup_by_key(|(time, _)| *time);
+    }
+    part
+}
+
 /// The form of the core.
 pub(crate) fn form(of: &ConvectionDiffusion) -> (Form, Mean) {
     let form = match of.form {
@@ -193,4 +235,33 @@ fn tensor_of<const D: usize>(tensor: &[Vec<f64>]) -> [[f64; D]; D] {
     std::array::from_fn(|i| {
         std::array::from_fn(|j| tensor.get(i).and_then(|row| row.get(j)).map_or(0.0, |t| *t))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_series_is_cut_to_the_run() {
+        let cut = |times: &[f64], values: &[f64]| {
+            let series = scenario::Series {
+                file: String::new(),
+                text: String::new(),
+                times: times.to_vec(),
+                values: values.to_vec(),
+            };
+            within(&series, 4.0)
+        };
+        assert_eq!(cut(&[1.0, 4.0], &[5.0, 6.0]), [(1.0, 5.0), (4.0, 6.0)]);
+        assert_eq!(
+            cut(&[-1e9, 1e9, 2e9], &[0.0, 1.0, 9.0]),
+            [(0.0, 0.5), (4.0, 0.5 + 2e-9)]
+        );
+        assert_eq!(
+            cut(&[-2.0, 0.0, 2.0, 6.0], &[1.0, 2.0, 3.0, 7.0]),
+            [(0.0, 2.0), (2.0, 3.0), (4.0, 5.0)]
+        );
+        assert_eq!(cut(&[-2.0, -1.0], &[1.0, 2.0]), [(0.0, 2.0)]);
+        assert_eq!(cut(&[7.0, 9.0], &[1.0, 2.0]), [(4.0, 1.0)]);
+    }
 }

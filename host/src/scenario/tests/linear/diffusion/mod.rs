@@ -41,7 +41,8 @@ sides = ["periodic", "mirror"]
 kind = "convection-diffusion"
 species = ["u", "v"]
 diffusivity = [0.5, 0.25]
-form = "mixed"
+form = "direct"
+mean = "harmonic"
 velocity = { kind = "uniform", velocity = [1.0, 0.0] }
 profile = { kind = "layers", bounds = [0.25, 0.5], factors = [1.0, 10.0, 2.0] }
 modulation = { amplitude = -0.5, rate = 3.0 }
@@ -142,8 +143,8 @@ fn every_key_reads_as_written() {
         *diffusion,
         ConvectionDiffusion {
             species: names.to_vec(),
-            form: Form::Mixed,
-            mean: Mean::Arithmetic,
+            form: Form::Direct,
+            mean: Mean::Harmonic,
             velocity,
             diffusivity: vec![0.5, 0.25],
             profile: Conductor::Layers {

@@ -203,7 +203,7 @@ fn an_export_of_a_slab_carries_its_problem_and_its_series() {
 #[test]
 fn an_export_that_is_no_slab_says_why() {
     let folder = tempfile::tempdir().unwrap();
-    let mixed = ["wall-day", "--set", "system.form=mixed"];
+    let mixed = ["heat1d", "--set", "system.form=mixed"];
     let stepped = ["wall-day", "--set", "time.method=rk4"];
     for (scenario, reason) in [
         (&["heat2d"][..], "in dimension 2"),

@@ -4,7 +4,7 @@
 mod runs;
 
 use motes::engine::Threads;
-use motes::scenario::{AnyScenario, BUILT_IN, Source};
+use motes::scenario::{AnyScenario, BUILT_IN, Side, Source};
 use motes::simulation::ScalarName;
 use motes::suite::{CASES, Case, Measure};
 
@@ -42,6 +42,31 @@ fn bits_do_not_depend_on_the_number_of_threads() {
         assert_eq!(one, three, "{name}");
         assert!(one.1 > 0, "{name} made no step");
     }
+}
+
+/// A shock and a bubble of another gas in a box that closes on itself: nothing comes in or goes
+/// out, and what the two gases exchange is opposite.
+#[test]
+fn a_shock_and_a_bubble_conserve_mass_momentum_and_energy() {
+    let changes = [
+        "time.energy=exact",
+        "time.end=0.8",
+        "resolution.particles=5000",
+    ];
+    let mut scenario = runs::scenario("shock-bubble", &changes);
+    scenario.domain.sides = vec![[Side::Periodic; 2]; 2];
+    scenario.inflow = None;
+    let outcome = runs::try_outcome(&scenario, "f64", 2).unwrap();
+    let drift = outcome.drift;
+    println!("{drift:?} in {} steps", outcome.steps);
+    assert_eq!(drift.mass, 0.0);
+    assert!(drift.momentum.abs() < 1e-14, "{drift:?}");
+    assert!(drift.energy.abs() < 1e-13, "{drift:?}");
+    // The shock has come through the bubble, and taken it along.
+    let helium = || outcome.particles.iter().filter(|p| p.material == 1);
+    let mass: f64 = helium().map(|p| p.mass).sum();
+    let momentum: f64 = helium().map(|p| p.mass * p.velocity[0]).sum();
+    assert!(momentum > 0.3 * mass, "{momentum} of {mass}");
 }
 
 /// Every built-in gas is a case of the suite, or has nothing to be held to.

@@ -61,7 +61,8 @@ pub fn outcome(name: &str, scalar: &str, threads: usize, changes: &[&str]) -> Ou
         .unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
-fn try_outcome(scenario: &Scenario, scalar: &str, threads: usize) -> Result<Outcome, RunError> {
+/// What becomes of a scenario.
+pub fn try_outcome(scenario: &Scenario, scalar: &str, threads: usize) -> Result<Outcome, RunError> {
     let plan = Plan::new(scenario).unwrap();
     let mut engine = Threads::new(threads).unwrap();
     let mut control = Control {

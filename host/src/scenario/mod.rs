@@ -45,7 +45,7 @@ pub use output::{Exact, Interval, Output, Ring, SnapshotFormat, Snapshots};
 pub use problem::Problem;
 pub use profile::Profile;
 pub use region::{Deposit, Region};
-pub use resolution::{Arrangement, Resolution, Share};
+pub use resolution::{Anchor, Arrangement, Resolution, Share};
 pub use source::Source;
 pub use tolerance::{Field, Norm, Tolerance};
 

@@ -21,6 +21,8 @@ pub struct Resolution {
     pub share: Share,
     /// A square lattice turned by `atan(p/q)`: `[p, q]`, both at least 1, no common factor.
     pub rotation: Option<[u32; 2]>,
+    /// Where the lattice of a region begins.
+    pub anchor: Anchor,
     /// Of the random numbers of jitter and glass.
     pub seed: u64,
     /// Largest displacement of a particle of a lattice along each direction, in spacings; in
@@ -59,6 +61,17 @@ pub enum Share {
     Volume,
 }
 
+/// Where the lattice of a region begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Anchor {
+    /// Particles are the middles of cells that fill the region: half a spacing from its faces.
+    Middle,
+    /// The first particle lies in the region's lower corner, as in many other codes: the
+    /// region's own gas reaches half a spacing beyond its lower faces, and as much less at the
+    /// upper ones.
+    Corner,
+}
+
 const ARRANGEMENTS: &[(&str, Arrangement)] = &[
     ("equal-mass", Arrangement::EqualMass),
     ("square", Arrangement::Square),
@@ -69,6 +82,8 @@ const ARRANGEMENTS: &[(&str, Arrangement)] = &[
     ("glass", Arrangement::Glass),
     ("file", Arrangement::File(PathBuf::new())),
 ];
+
+const ANCHORS: &[(&str, Anchor)] = &[("middle", Anchor::Middle), ("corner", Anchor::Corner)];
 
 const SHARES: &[(&str, Share)] = &[("mass", Share::Mass), ("volume", Share::Volume)];
 
@@ -98,6 +113,7 @@ pub(super) fn resolution(
             .as_ref()
             .map_or(Ok(Share::Mass), |entry| entry.choice(SHARES))?,
         rotation: rotation(section, &arrangement, domain)?,
+        anchor: anchor(section, &arrangement, domain)?,
         seed: match section.optional("seed") {
             Some(entry) => seed(&entry)?,
             None => 1,
@@ -156,6 +172,7 @@ fn from_file(section: &Section<'_>, folder: &Path) -> Result<Resolution, Fault> 
         arrangement: Arrangement::File(file(section, folder)?),
         share: Share::Mass,
         rotation: None,
+        anchor: Anchor::Middle,
         seed: 1,
         jitter: 0.0,
     })
@@ -220,6 +237,24 @@ fn rotation(
         (divisor, rest) = (rest, divisor % rest);
     }
     Ok(Some([p / divisor, q / divisor]))
+}
+
+fn anchor(
+    section: &Section<'_>,
+    arrangement: &Arrangement,
+    domain: &Domain,
+) -> Result<Anchor, Fault> {
+    let Some(entry) = section.optional("anchor") else {
+        return Ok(Anchor::Middle);
+    };
+    let anchor = entry.choice(ANCHORS)?;
+    let is_lattice = !matches!(arrangement, Arrangement::Sampled | Arrangement::Glass);
+    let periodic = domain.sides.iter().all(|ends| *ends == [Side::Periodic; 2]);
+    if anchor == Anchor::Corner && !(is_lattice && periodic) {
+        let reason = "only lattices between periodic sides can begin in a corner".to_owned();
+        return Err(entry.does_not_fit(reason, "take `anchor` out"));
+    }
+    Ok(anchor)
 }
 
 fn jitter(section: &Section<'_>, arrangement: &Arrangement) -> Result<f64, Fault> {

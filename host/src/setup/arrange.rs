@@ -3,7 +3,7 @@
 use super::block::{Block, spacing};
 use super::random::Random;
 use super::{SetupError, close_packed, cubic, glass, hexagonal, line, square};
-use crate::scenario::{Arrangement, Resolution, Scenario};
+use crate::scenario::{Anchor, Arrangement, Resolution, Scenario};
 
 /// Fills boxes with the points of a scenario's arrangement, one after the other: the random
 /// numbers of one go on where those of the last one stopped.
@@ -40,6 +40,9 @@ impl<'a> Arranger<'a> {
             },
             _ => cubic::points(block, volume),
         };
+        if resolution.anchor == Anchor::Corner {
+            into_the_corner(block, &mut points);
+        }
         let spacing = spacing(block.volume() / points.len() as f64, block.dimension);
         if resolution.arrangement == Arrangement::Glass {
             self.jitter(block, GLASS_JITTER * spacing, &mut points);
@@ -58,6 +61,18 @@ impl<'a> Arranger<'a> {
                 *x += most * self.random.signed();
             }
             *point = block.inside(moved);
+        }
+    }
+}
+
+/// Moves a lattice until its lowest particles lie on the lower faces.
+fn into_the_corner(block: &Block, points: &mut [[f64; 3]]) {
+    for i in 0..block.dimension {
+        let lowest = points.iter().map(|point| point[i]);
+        let gap = lowest.fold(f64::INFINITY, f64::min) - block.lower[i];
+        for point in &mut *points {
+            // Not below the face where the difference rounds.
+            point[i] = (point[i] - gap).max(block.lower[i]);
         }
     }
 }

@@ -91,6 +91,7 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
             key("arrangement", "arrangement = \"equal-mass\""),
             key("share", "share = \"volume\""),
             key("rotation", "rotation = [1, 2]"),
+            key("anchor", "anchor = \"corner\""),
             key("seed", "seed = 1"),
             key("jitter", "jitter = 0.1"),
             key("file", "file = \"cloud.csv\""),

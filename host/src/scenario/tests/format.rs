@@ -93,6 +93,7 @@ fn what_is_left_out_means_none_of_it() {
     assert_eq!(scenario.materials[0].name, "ideal-gas");
     let resolution = &scenario.resolution;
     assert_eq!((resolution.share, resolution.rotation), (Share::Mass, None));
+    assert_eq!(resolution.anchor, Anchor::Middle);
     assert_eq!((resolution.seed, resolution.jitter), (1, 0.0));
     assert_eq!(
         (&scenario.output.ring, scenario.output.snapshots),
@@ -111,8 +112,7 @@ fn every_section_reads_as_written() {
         [tolerance.density]\nl1 = 0.01\nlinf = 0.5\nreason = \"measured\"\n\
         [tolerance.energy]\nl2 = 0.02\nreason = \"guessed\"\n";
     let switch = "beta = 2.0\nswitch = { minimum = 0.1, decay = 0.2 }\nbalsara = true";
-    let lattice =
-        "arrangement = \"square\"\nshare = \"volume\"\nrotation = [2, 4]\nseed = 7\njitter = 0.25";
+    let lattice = "arrangement = \"square\"\nshare = \"volume\"\nrotation = [2, 4]\nanchor = \"corner\"\nseed = 7\njitter = 0.25";
     let text = changed(&[
         ("[material]", &format!("{DEPOSIT}[material]")),
         ("beta = 2.0", switch),
@@ -145,6 +145,7 @@ fn every_section_reads_as_written() {
         (resolution.share, resolution.rotation),
         (Share::Volume, Some([1, 2]))
     );
+    assert_eq!(resolution.anchor, Anchor::Corner);
     assert_eq!((resolution.seed, resolution.jitter), (7, 0.25));
     assert_eq!(scenario.output.exact, Some(Exact::Sedov));
     let ring = scenario.output.ring.as_ref().unwrap();
@@ -452,6 +453,8 @@ const FAULTS: &[Case] = &[
     ("\"square\"", "\"square\"\nrotation = [1]", "rotation", "need a pair of whole numbers", "`rotation = [1, 2]`"),
     ("\"square\"", "\"square\"\nrotation = [1, 1001]", "rotation", "resolution.rotation.1 = 1001", "small whole number"),
     ("\"square\"", "\"hexagonal\"\nrotation = [1, 2]", "rotation", "only square lattices between periodic sides", "take `rotation` out"),
+    ("\"square\"", "\"glass\"\nanchor = \"corner\"", "anchor", "only lattices between periodic sides can begin in a corner", "take `anchor` out"),
+    ("\"square\"", "\"square\"\nanchor = \"centre\"", "anchor", "resolution.anchor = \"centre\"", "middle"),
     ("\"square\"", "\"square\"\nfile = \"a.csv\"", "file", "the arrangement is \"square\"", "arrangement = \"file\""),
     ("\"square\"", "\"file\"\nfile = \"a.csv\"", "particles", "has no particles", "takes file"),
     ("\"square\"", "\"equal-mass\"\nshare = \"volume\"", "share", "gives equal masses", "choose a lattice"),

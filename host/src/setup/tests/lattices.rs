@@ -147,6 +147,31 @@ fn jitter_moves_by_at_most_its_fraction_and_the_seed_decides_where() {
 }
 
 #[test]
+fn a_lattice_in_the_corner_is_the_same_lattice_moved_onto_the_lower_faces() {
+    for (arrangement, dimension, _, _) in lattices() {
+        let with = |extra: &str| {
+            let resolution = format!("particles = 500\n{arrangement}\n{extra}");
+            particles(&unit_box(dimension, "periodic", &resolution)).unwrap()
+        };
+        let (middle, corner) = (with(""), with("anchor = \"corner\""));
+        assert_eq!(middle.len(), corner.len());
+        for i in 0..dimension {
+            let lowest = |cloud: &[Placed]| {
+                (cloud.iter().map(|p| p.position[i])).fold(f64::INFINITY, f64::min)
+            };
+            assert_eq!(lowest(&corner), 0.0, "{arrangement}");
+            let gap = lowest(&middle);
+            assert!(gap > 0.0, "{arrangement}");
+            for (a, b) in middle.iter().zip(&corner) {
+                // Relative to the gap, a hundredth of the positions.
+                assert_near(a.position[i] - b.position[i], gap, 1e-13);
+                assert_eq!(a.mass, b.mass);
+            }
+        }
+    }
+}
+
+#[test]
 fn a_turned_lattice_that_does_not_fit_is_refused() {
     let resolution = "particles = 10\narrangement = \"square\"\nrotation = [7, 8]";
     let error = particles(&unit_box(2, "periodic", resolution)).unwrap_err();

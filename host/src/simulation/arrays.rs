@@ -26,6 +26,7 @@ pub struct GasArrays<S: Scalar, const D: usize> {
     power_slope: Vec<S>,
     viscosity_factor: Vec<S>,
     divergence: Vec<S>,
+    approach: Vec<S>,
     signal: Vec<S>,
     neighbours: Vec<S>,
     sites: Vec<Site<S, D>>,
@@ -94,6 +95,7 @@ impl<S: Scalar, const D: usize> GasArrays<S, D> {
             power_slope: vec![S::ZERO; n],
             viscosity_factor: vec![S::ZERO; n],
             divergence: vec![S::ZERO; n],
+            approach: vec![S::ZERO; n],
             signal: vec![S::ZERO; n],
             neighbours: vec![S::ZERO; n],
             sites: Vec::new(),
@@ -159,6 +161,7 @@ impl<S: Scalar, const D: usize> GasArrays<S, D> {
             power_slope: &mut self.power_slope,
             viscosity_factor: &mut self.viscosity_factor,
             divergence: &mut self.divergence,
+            approach: &mut self.approach,
             signal: &mut self.signal,
             neighbours: &mut self.neighbours,
         };
@@ -211,6 +214,7 @@ impl<S: Scalar, const D: usize> Cloud<S, D> for GasArrays<S, D> {
             &mut self.power_slope,
             &mut self.viscosity_factor,
             &mut self.divergence,
+            &mut self.approach,
             &mut self.signal,
             &mut self.neighbours,
         ] {
@@ -240,6 +244,7 @@ impl<S: Scalar, const D: usize> Cloud<S, D> for GasArrays<S, D> {
             &mut self.power_slope,
             &mut self.viscosity_factor,
             &mut self.divergence,
+            &mut self.approach,
             &mut self.signal,
             &mut self.neighbours,
         ] {

@@ -65,6 +65,7 @@ where
         gas.power.fill(S::ZERO);
         gas.power_slope.fill(S::ZERO);
         gas.divergence.fill(S::ZERO);
+        gas.approach.fill(S::ZERO);
         gas.signal.fill(S::ZERO);
         gas.viscosity_factor.fill(S::ZERO);
         self.rates(engine, gas, work, S::ZERO)

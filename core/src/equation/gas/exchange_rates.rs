@@ -190,7 +190,8 @@ where
                     gradient,
                     divergence_before: *row.divergence,
                     epsilon: node.epsilon,
-                    signal: row.signal.greater(node.sound_speed),
+                    support: S::count(self.cut_off.support()),
+                    signal: node.sound_speed + *row.approach,
                     dt,
                 };
                 node.linear = switch.factor(*row.viscosity_factor, &flow);
@@ -253,6 +254,7 @@ where
                 *row.divergence = divergence;
                 *row.viscosity_factor = S::ONE;
             }
+            *row.approach = sums.approach;
             *row.signal = self.signal(&row, node.sound_speed, sums.approach);
         }
     }

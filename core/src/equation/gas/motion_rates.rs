@@ -89,6 +89,7 @@ where
                 }
             }
             *row.divergence = divergence;
+            *row.approach = sums.approach;
             *row.signal = self.signal(&row, node.sound_speed, sums.approach);
             problem.add(id, self.problem(&row, id));
         }

@@ -33,7 +33,7 @@ pub enum EnergyForm {
 pub struct Switch<S> {
     /// The smallest factor of α, in [0, 1].
     pub minimum: S,
-    /// The rate of decay, in signal speeds over ε, > 0.
+    /// ℓ, the rate of decay in `(c + fastest approach)/ε`, > 0.
     pub decay: S,
 }
 

@@ -68,6 +68,8 @@ pub struct Gas<'a, S, const D: usize> {
     pub viscosity_factor: &'a mut [S],
     /// `div u`.
     pub divergence: &'a mut [S],
+    /// The fastest approach of a partner along the line of centres, >= 0.
+    pub approach: &'a mut [S],
     /// The speed that bounds the time step, see [`super::Viscosity::signal`].
     pub signal: &'a mut [S],
     /// Partners within the support of the last ε that was summed over (the final one may
@@ -89,6 +91,7 @@ pub(super) struct Row<'a, S, const D: usize> {
     pub(super) power_slope: &'a mut S,
     pub(super) viscosity_factor: &'a mut S,
     pub(super) divergence: &'a mut S,
+    pub(super) approach: &'a mut S,
     pub(super) signal: &'a mut S,
     pub(super) neighbours: &'a mut S,
 }
@@ -125,6 +128,7 @@ impl<S: Scalar, const D: usize> Gas<'_, S, D> {
             self.viscosity_factor.len(),
             self.material.len(),
             self.divergence.len(),
+            self.approach.len(),
             self.signal.len(),
             self.neighbours.len(),
         ];
@@ -161,6 +165,7 @@ impl<S: Scalar, const D: usize> Gas<'_, S, D> {
             power_slope: self.power_slope.get_mut(id)?,
             viscosity_factor: self.viscosity_factor.get_mut(id)?,
             divergence: self.divergence.get_mut(id)?,
+            approach: self.approach.get_mut(id)?,
             signal: self.signal.get_mut(id)?,
             neighbours: self.neighbours.get_mut(id)?,
         })

@@ -111,6 +111,7 @@ pub struct GasStorage<S: Scalar, const D: usize, const N: usize, const C: usize>
     power_slope: [S; N],
     viscosity_factor: [S; N],
     divergence: [S; N],
+    approach: [S; N],
     signal: [S; N],
     neighbours: [S; N],
     sites: [Site<S, D>; N],
@@ -145,6 +146,7 @@ impl<S: Scalar, const D: usize, const N: usize, const C: usize> GasStorage<S, D,
             power_slope: [S::ZERO; N],
             viscosity_factor: [S::ZERO; N],
             divergence: [S::ZERO; N],
+            approach: [S::ZERO; N],
             signal: [S::ZERO; N],
             neighbours: [S::ZERO; N],
             sites: [Site::EMPTY; N],
@@ -199,6 +201,7 @@ impl<S: Scalar, const D: usize, const N: usize, const C: usize> GasStorage<S, D,
             power_slope: self.power_slope.get_mut(..n).unwrap_or(&mut []),
             viscosity_factor: self.viscosity_factor.get_mut(..n).unwrap_or(&mut []),
             divergence: self.divergence.get_mut(..n).unwrap_or(&mut []),
+            approach: self.approach.get_mut(..n).unwrap_or(&mut []),
             signal: self.signal.get_mut(..n).unwrap_or(&mut []),
             neighbours: self.neighbours.get_mut(..n).unwrap_or(&mut []),
         };
@@ -235,6 +238,7 @@ impl<S: Scalar, const D: usize, const N: usize, const C: usize> Cloud<S, D>
         put(&mut self.power_slope, id, S::ZERO);
         put(&mut self.viscosity_factor, id, S::ZERO);
         put(&mut self.divergence, id, S::ZERO);
+        put(&mut self.approach, id, S::ZERO);
         put(&mut self.signal, id, S::ZERO);
         put(&mut self.neighbours, id, S::ZERO);
         Ok(())
@@ -260,6 +264,7 @@ impl<S: Scalar, const D: usize, const N: usize, const C: usize> Cloud<S, D>
             &mut self.power_slope,
             &mut self.viscosity_factor,
             &mut self.divergence,
+            &mut self.approach,
             &mut self.signal,
             &mut self.neighbours,
         ] {

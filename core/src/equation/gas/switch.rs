@@ -3,12 +3,13 @@
 //! The factor `a_k(t)` in `[a_min, 1]` jumps up where the gas is about to be compressed, and
 //! decays elsewhere (Cullen & Dehnen, MNRAS 408, 669, 2010):
 //!
-//! `A = ξ max(-d(div u)/dt, 0)`, `target = ε² A/(v² + ε² A)`, `v` the signal speed,
+//! `A = ξ max(-d(div u)/dt, 0)`, `target = h² A/(v² + h² A)`,
 //!
 //! `a = target` where that is more, else `da/dt = -ℓ v/ε (a - max(target, a_min))`,
 //!
-//! with `ξ = (div u)²/((div u)² + tr S²)`, S the traceless part of the shear. A sound wave
-//! of small amplitude does not trigger it.
+//! with `ξ = (div u)²/((div u)² + tr S²)`, S the traceless part of the shear, h the radius of
+//! the cut-off's support, and `v = c + max(0, max_l (u_l - u_k)·r/|r|)`, `r = x_k - x_l`. A
+//! sound wave of small amplitude does not trigger it.
 //!
 //! Balsara's factor (J. Comp. Phys. 121, 357, 1995) is `|div u|/(|div u| + |curl u| + c/10⁴ε)`.
 
@@ -25,7 +26,9 @@ pub(super) struct Flow<S, const D: usize> {
     pub divergence_before: S,
     /// ε.
     pub epsilon: S,
-    /// The signal speed, or the sound speed where none is known yet.
+    /// Radius of the cut-off's support in units of ε.
+    pub support: S,
+    /// v: the sound speed and the fastest approach of a partner, 0 where none is known yet.
     pub signal: S,
     /// Time since `divergence_before`; 0 at the start.
     pub dt: S,
@@ -42,13 +45,13 @@ impl<S: Scalar> Switch<S> {
         } else {
             S::ONE
         };
-        // ε² A, with -div u v/ε in place of the unknown rate at the start.
+        // ε² A/ξ, with -div u v/ε in place of the unknown rate at the start.
         let compression = if flow.dt > S::ZERO {
             (flow.divergence_before - now) * (flow.epsilon / flow.dt) * flow.epsilon
         } else {
             -now * flow.epsilon * flow.signal
         };
-        let trigger = pure * compression.greater(S::ZERO);
+        let trigger = flow.support * flow.support * (pure * compression.greater(S::ZERO));
         let target = if trigger > S::ZERO {
             trigger / (flow.signal * flow.signal + trigger)
         } else {

@@ -55,6 +55,32 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Direct<S, C, D, P> {
     }
 }
 
+impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Direct<S, C, D, P> {
+    /// What the term of a node on itself adds to its `radius`, to the last bit.
+    pub(super) fn own_radius(&self) -> impl Fn(&DiffusionNode<S, D, P>) -> S {
+        let size = self.size(self.bracket(&[S::ZERO; D], S::ZERO).0);
+        let mean = self.mean;
+        move |node| {
+            let twice = node.diffusivity.map(|b| mean.twice(b, b));
+            node.weight * (size * twice.into_iter().fold(S::ZERO, Scalar::greater))
+        }
+    }
+
+    /// The bracket of (4.6) times ε², and the argument of the cut-off.
+    #[inline(always)]
+    fn bracket<N: Number<Scalar = S>>(&self, r: &[N; D], distance_squared: N) -> (N, N) {
+        let a = self.cut_off.argument(distance_squared) * N::splat(self.scale);
+        let bracket = -(N::splat(self.height) * self.cut_off.gradient::<D, N>(a));
+        (bracket * self.share(r, distance_squared), a)
+    }
+
+    /// From order 4 on, and with a tensor, the bracket has both signs.
+    #[inline(always)]
+    fn size<N: Number<Scalar = S>>(&self, bracket: N) -> N {
+        bracket.max(-bracket)
+    }
+}
+
 impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Direct<S, C, D, P> {
     type Node = DiffusionNode<S, D, P>;
     type Sums = DiffusionSums<S, P>;
@@ -69,9 +95,7 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Direct<
         to_k: &mut DiffusionSums<N, P>,
         to_l: &mut DiffusionSums<N, P>,
     ) {
-        let a = self.cut_off.argument(distance_squared) * N::splat(self.scale);
-        let bracket = -(N::splat(self.height) * self.cut_off.gradient::<D, N>(a));
-        let bracket = bracket * self.share(r, distance_squared);
+        let (bracket, a) = self.bracket(r, distance_squared);
         let factor = (k.weight * l.weight) * bracket;
         let mut largest = N::zero();
         for j in 0..P {
@@ -81,8 +105,7 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Direct<
             to_l.rate[j] -= term;
             largest = largest.max(b);
         }
-        // From order 4 on, and with a tensor, the bracket has both signs.
-        let size = bracket.max(-bracket) * largest;
+        let size = self.size(bracket) * largest;
         to_k.radius += l.weight * size;
         to_l.radius += k.weight * size;
         let near = a.below(N::splat(self.cut_off.edge()));

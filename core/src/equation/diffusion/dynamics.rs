@@ -77,15 +77,20 @@ where
     /// A bound `Λ` of the spectral radius of the right-hand side, of a state whose rates have just
     /// been made: no explicit method needs more.
     ///
-    /// Direct form: Gershgorin's circles, `2 max_k Σ_l w_l (b_k + b_l) |bracket_kl|`. Mixed form:
-    /// `max b (κ/ε)²`, `κ = ∫ |∂_1 ζ| dx`, times the trace of the tensor. Times what `b` may yet
+    /// Direct form: Gershgorin's circles, `2 max_k Σ_(l≠k) w_l (b_k + b_l) |bracket_kl|`. Mixed
+    /// form: `max b (κ/ε)²`, `κ = ∫ |∂_1 ζ| dx`, times the trace of the tensor. Times what `b` may yet
     /// grow by; to it comes the bound of the reactions.
     pub fn radius(&self, state: &State<'_, S, D, P>, work: &DiffusionWorkspace<'_, S, D, P>) -> S {
         let n = state.len();
         let largest = match self.form {
             Form::Direct => {
                 let sums = work.sums.get(..n).unwrap_or(&[]);
-                let circles = sums.iter().map(|settled| settled.sums.radius);
+                let law = self.direct(work.time);
+                let own = law.own_radius();
+                // The sums have the term of a particle on itself, which moves nothing.
+                let circles = sums
+                    .iter()
+                    .map(|settled| settled.sums.radius - own(&settled.node));
                 let widest = circles.reduce(Scalar::greater).unwrap_or(S::ZERO);
                 widest + widest
             }

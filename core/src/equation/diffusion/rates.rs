@@ -76,21 +76,12 @@ where
         work.time = time;
         self.show(state, work, time);
         let cells = work.cells.cells(grid, n);
-        let laws = self.law(time);
         let (Some(nodes), Some(sums)) = (work.nodes.get_mut(..n), work.sums.get_mut(..n)) else {
             return Err(Error::Lengths);
         };
         match self.form {
             Form::Direct => {
-                let law = Direct {
-                    cut_off: laws.cut_off,
-                    scale: laws.scale,
-                    height: laws.height,
-                    mean: self.mean,
-                    tensor: self.problem.tensor(),
-                    walls: laws.walls,
-                };
-                engine.sweep(&law, &cells, nodes, sums)?;
+                engine.sweep(&self.direct(time), &cells, nodes, sums)?;
                 for (settled, &id) in sums.iter().zip(cells.order()) {
                     let (rate, partners) = (settled.sums.rate, settled.sums.partners);
                     self.receive(state, work.last, id, (rate, partners), time);
@@ -100,6 +91,7 @@ where
                 let Some(fluxes) = work.fluxes.get_mut(..n) else {
                     return Err(Error::Lengths);
                 };
+                let laws = self.law(time);
                 engine.sweep(&laws, &cells, nodes, fluxes)?;
                 let (Some(shown), Some(sums)) =
                     (work.mixed.nodes.get_mut(..n), work.mixed.sums.get_mut(..n))
@@ -127,6 +119,19 @@ where
             }
         }
         Ok(())
+    }
+
+    /// The law of the direct form.
+    pub(super) fn direct(&self, time: S) -> Direct<S, C, D, P> {
+        let laws = self.law(time);
+        Direct {
+            cut_off: laws.cut_off,
+            scale: laws.scale,
+            height: laws.height,
+            mean: self.mean,
+            tensor: self.problem.tensor(),
+            walls: laws.walls,
+        }
     }
 
     /// The first law of the mixed form, which has what all laws need.

@@ -31,10 +31,7 @@ fn every_problem_keeps_its_tolerance_in_f64_and_f32() {
 fn any_number_of_threads_gives_the_same_bits() {
     for scenario in &built_in(true) {
         let end = format!("time.end={:e}", scenario.time.end / 50.0);
-        // Without walls that exchange, which the mixed form has not.
-        let exchanges = scenario.text.contains("kind = \"exchange\"");
-        let forms = ["system.form=direct", "system.form=mixed"];
-        for form in &forms[..2 - usize::from(exchanges)] {
+        for form in ["system.form=direct", "system.form=mixed"] {
             assert_same_bits(scenario, &["resolution.particles=900", &end, form]);
         }
     }

@@ -80,8 +80,6 @@ pub enum Error {
         /// Id of the particle.
         particle: u32,
     },
-    /// A wall that exchanges, under the mixed form of diffusion.
-    MixedExchange,
     /// A particle that sees no other one.
     Isolated {
         /// Id of the particle.
@@ -178,9 +176,6 @@ impl fmt::Display for Error {
             Self::Weight { particle } => write!(
                 f,
                 "the weight of particle {particle} is not above zero: weights are volumes"
-            ),
-            Self::MixedExchange => f.write_str(
-                "the mixed form is unstable at a wall that exchanges: use the direct form",
             ),
             Self::Isolated { particle } => write!(
                 f,

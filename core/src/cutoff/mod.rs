@@ -93,6 +93,37 @@ fn positive<N: Number>(t: N) -> N {
     t.max(N::zero())
 }
 
+/// `ζ̄(q) = ∫ ζ(q e + s) ds` over all s across the unit vector e, by the midpoint rule: how much of
+/// a particle at distance q from a plane each piece of it has; of integral one over q.
+pub fn across<S: Scalar, C: CutOff, const D: usize>(cut_off: C, q: S) -> S {
+    const POINTS: u32 = 32;
+    let sigma = S::from_f64(cut_off.normalisation::<D>());
+    let value = |across: S| {
+        let argument = cut_off.argument(q * q + across * across);
+        cut_off.value::<D, S>(argument * cut_off.scale(S::ONE))
+    };
+    if D == 1 {
+        return sigma * value(S::ZERO);
+    }
+    let width = f64::from(cut_off.support()) / f64::from(POINTS);
+    let mut sum = S::ZERO;
+    for i in 0..POINTS {
+        let s = width * (f64::from(i) + 0.5);
+        // Both directions along a line, or a ring in a plane.
+        let measure = match D {
+            2 => 2.0 * width,
+            _ => core::f64::consts::TAU * s * width,
+        };
+        sum += S::from_f64(measure) * value(S::from_f64(s));
+    }
+    if D == 3 {
+        // Euler and Maclaurin: of the rings, which do not end flat.
+        let part = core::f64::consts::TAU * width * width / 24.0;
+        sum -= S::from_f64(part) * value(S::ZERO);
+    }
+    sigma * sum
+}
+
 /// `∫ |∂_1 ζ| dx = c_D σ_D ∫ |z'| q^(D-1) dq`, `c = 2, 4, 2π`, by the midpoint rule.
 pub fn slope<C: CutOff, const D: usize>(cut_off: C) -> f64 {
     const POINTS: u32 = 256;

@@ -240,6 +240,30 @@ fn the_curvature_is_the_derivative_of_the_slope() {
     }
 }
 
+/// `2 ∫ ζ̄ dq = 1`, and on a line it is the cut-off itself.
+#[test]
+fn the_integral_across_a_direction_has_integral_one() {
+    fn integral<const D: usize>(cut_off: Named) -> f64 {
+        let width = f64::from(cut_off.support()) / 64.0;
+        let places = (0..64).map(|i| width * (f64::from(i) + 0.5));
+        2.0 * width * places.map(|q| across::<f64, _, D>(cut_off, q)).sum::<f64>()
+    }
+    for cut_off in ALL {
+        for (integral, dimension) in [
+            (integral::<1>(cut_off), 1),
+            (integral::<2>(cut_off), 2),
+            (integral::<3>(cut_off), 3),
+        ] {
+            assert!(
+                (integral - 1.0).abs() < 1e-4,
+                "{cut_off:?} in {dimension}D: {integral}"
+            );
+        }
+        let at = across::<f64, _, 1>(cut_off, 0.7);
+        assert_abs_diff_eq!(at, zeta::<f64, 1>(cut_off, 0.7).0, epsilon = 1e-15);
+    }
+}
+
 #[test]
 fn names_lead_back_to_their_cut_offs() {
     for name in Named::NAMES {

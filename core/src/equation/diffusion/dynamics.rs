@@ -78,8 +78,8 @@ where
     /// been made: no explicit method needs more.
     ///
     /// Direct form: Gershgorin's circles, `2 max_k Σ_(l≠k) w_l (b_k + b_l) |bracket_kl|`. Mixed
-    /// form: `max b (κ/ε)²`, `κ = ∫ |∂_1 ζ| dx`, times the trace of the tensor. Times what `b` may yet
-    /// grow by; to it comes the bound of the reactions.
+    /// form: `max b (κ/ε)²`, `κ = ∫ |∂_1 ζ| dx`, times the trace of the tensor, and what walls
+    /// exchange. Times what `b` may yet grow by; to it comes the bound of the reactions.
     pub fn radius(&self, state: &State<'_, S, D, P>, work: &DiffusionWorkspace<'_, S, D, P>) -> S {
         let n = state.len();
         let largest = match self.form {
@@ -99,7 +99,19 @@ where
                 let all = nodes.iter().flat_map(|node| node.diffusivity);
                 let conductor = all.reduce(Scalar::greater).unwrap_or(S::ZERO);
                 let kappa = S::from_f64(slope::<C, D>(self.cut_off));
-                conductor * (kappa * kappa) * self.stretch()
+                let walls = self.walls(work.time);
+                let mut exchanged = S::ZERO;
+                for node in nodes {
+                    // Two walls that are near add up.
+                    let mut sums = [S::ZERO; P];
+                    self.at_exchanges(&walls, node, |j, (factor, _)| {
+                        if let Some(sum) = sums.get_mut(j) {
+                            *sum += factor;
+                        }
+                    });
+                    exchanged = sums.into_iter().fold(exchanged, Scalar::greater);
+                }
+                conductor * (kappa * kappa) * self.stretch() + exchanged
             }
         };
         let largest = largest * self.problem.headroom(work.time);

@@ -134,16 +134,12 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Diverge
             .walls
             .get(wall.axis)
             .and_then(|ends| ends.get(wall.end));
-        let place = node.node.position.get(wall.axis);
-        let (Some(conditions), Some(&x)) = (conditions, place) else {
+        let Some(conditions) = conditions else {
             return image;
         };
-        let distance = (x - wall.position).abs();
         // Fluxes are ε times theirs, and conditions count outwards.
         let epsilon = S::ONE / self.0.inverse_epsilon;
-        let species = image.flux.iter_mut().zip(conditions);
-        let nodes = node.node.value.iter().zip(&node.node.diffusivity);
-        for ((flux, condition), (&u, &b)) in species.zip(nodes) {
+        for (flux, condition) in image.flux.iter_mut().zip(conditions) {
             // Behind a held value `2 g - u` falls along the wall where u rises.
             if let Condition::Value(_) = condition {
                 let along = flux.iter_mut().enumerate();
@@ -157,7 +153,7 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Diverge
                 } else {
                     *component
                 };
-                let seen = condition.flux_image(outwards, epsilon, (u, b, distance));
+                let seen = condition.flux_image(outwards, epsilon);
                 *component = if wall.end == 0 { -seen } else { seen };
             }
         }

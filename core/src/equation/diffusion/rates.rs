@@ -8,7 +8,8 @@ use super::node::DiffusionNode;
 use super::problem::DiffusionProblem;
 use super::storage::DiffusionWorkspace;
 use super::wall::Condition;
-use crate::cutoff::CutOff;
+use crate::cutoff::{CutOff, across};
+use crate::domain::Side;
 use crate::error::Error;
 use crate::neighbours::sort;
 use crate::pairs::Engine;
@@ -25,7 +26,7 @@ where
     /// rates and its neighbours. Must run once before the first step.
     ///
     /// Errors: arrays of unequal lengths, a weight that is not above 0, a particle without
-    /// neighbours, a wall that exchanges under the mixed form.
+    /// neighbours.
     pub fn prepare(
         &self,
         engine: &mut impl Engine<S, D>,
@@ -36,11 +37,6 @@ where
             return Err(Error::Lengths);
         }
         state.check()?;
-        let exchanges = |wall: &Condition<S>| matches!(wall, Condition::Exchange { .. });
-        let walls = self.walls(S::ZERO);
-        if self.form == Form::Mixed && walls.iter().flatten().flatten().any(exchanges) {
-            return Err(Error::MixedExchange);
-        }
         state.weigh();
         work.grid = None;
         self.rates(engine, state, work, S::ZERO)?;
@@ -113,12 +109,49 @@ where
                 engine.sweep(&Divergence(laws), &cells, shown, sums)?;
                 let rows = sums.iter().zip(fluxes.iter()).zip(cells.order());
                 for ((settled, first), &id) in rows {
-                    let (rate, partners) = (settled.sums.rate, first.sums.partners);
+                    let (mut rate, partners) = (settled.sums.rate, first.sums.partners);
+                    let node = &first.node;
+                    self.at_exchanges(&laws.walls, node, |j, (factor, outside)| {
+                        if let (Some(rate), Some(&u)) = (rate.get_mut(j), node.value.get(j)) {
+                            *rate -= node.weight * (factor * (u - outside));
+                        }
+                    });
                     self.receive(state, work.last, id, (rate, partners), time);
                 }
             }
         }
         Ok(())
+    }
+
+    /// What a particle exchanges with the outside under the mixed form, for each species and wall: the
+    /// factor of `u - outside` in `-ε² du/dt`, and `outside`.
+    ///
+    /// `2 g ζ̄_ε(d)` at distance d, g the conductance of layer and wall in a row: the flux `g (u -
+    /// outside)` of the particle itself, spread over the support. Fluxes behind the wall are those of
+    /// a closed one. With the flux of the image's particle behind the wall, a wave of two spacings
+    /// would feed itself at any step; so it only decays.
+    pub(super) fn at_exchanges(
+        &self,
+        walls: &[[[Condition<S>; P]; 2]; D],
+        node: &DiffusionNode<S, D, P>,
+        mut pay: impl FnMut(usize, (S, S)),
+    ) {
+        for ((ends, axis), &x) in walls.iter().zip(&self.domain.axes).zip(&node.position) {
+            let sides = axis.sides.iter().zip([axis.lower, axis.upper]);
+            for (conditions, (side, wall)) in ends.iter().zip(sides) {
+                let distance = (x - wall).abs();
+                if *side != Side::Mirror || distance >= self.reach() {
+                    continue;
+                }
+                for (j, (condition, &b)) in conditions.iter().zip(&node.diffusivity).enumerate() {
+                    if let Some((conductance, outside)) = condition.conductance(b, distance) {
+                        let spread = across::<S, C, D>(self.cut_off, distance / self.epsilon);
+                        let factor = (self.epsilon + self.epsilon) * (spread * conductance);
+                        pay(j, (factor, outside));
+                    }
+                }
+            }
+        }
     }
 
     /// The law of the direct form.

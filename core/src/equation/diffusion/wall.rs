@@ -11,9 +11,7 @@ pub enum Condition<S> {
     Value(S),
     /// The flux is this.
     Flux(S),
-    /// The flux is `rate (u - outside)`: Robin's condition. `rate`: length/time, >= 0. For the direct
-    /// form: in the mixed one the flux that passes would be that of the image's particle instead of
-    /// the one it acts on, which is unstable at any step.
+    /// The flux is `rate (u - outside)`: Robin's condition. `rate`: length/time, >= 0.
     Exchange {
         /// How well the wall conducts.
         rate: S,
@@ -58,15 +56,25 @@ impl<S: Scalar> Condition<S> {
         wall + (wall - u)
     }
 
+    /// How well a particle at `distance` exchanges with the outside: of the layer, d/b, and of
+    /// the wall, 1/rate, in a row. And `u` out there.
+    pub(super) fn conductance(&self, b: S, distance: S) -> Option<(S, S)> {
+        let Self::Exchange { rate, outside } = *self else {
+            return None;
+        };
+        let sum = b + rate * distance;
+        (sum > S::ZERO).then(|| (rate * (b / sum), outside))
+    }
+
     /// The flux of the mirror image along the normal, from that of the particle; both times
     /// `epsilon`, and not rounded where nothing passes.
-    pub(super) fn flux_image(&self, flux: S, epsilon: S, (u, b, distance): (S, S, S)) -> S {
+    pub(super) fn flux_image(&self, flux: S, epsilon: S) -> S {
         let through = match *self {
-            Self::NoFlux => S::ZERO,
+            // What is exchanged is not seen behind the wall: each particle pays by itself.
+            Self::NoFlux | Self::Exchange { .. } => S::ZERO,
             // A temperature that is held says nothing of the flux: it goes on.
             Self::Value(_) => return flux,
             Self::Flux(flux) => flux,
-            Self::Exchange { rate, outside } => rate * (self.at_wall(u, b, distance) - outside),
         };
         let through = epsilon * through;
         (through + through) - flux

@@ -6,7 +6,7 @@ use super::matrices::names;
 use super::reaction::reaction;
 use super::tensor::tensor;
 use super::wall::{Walls, walls};
-use super::{Conductor, Field, Reaction, WallCondition};
+use super::{Conductor, Field, Reaction};
 use crate::scenario::Domain;
 use crate::scenario::bound::{NOT_NEGATIVE, PART};
 use crate::scenario::entry::{ANY, Entry};
@@ -99,13 +99,11 @@ pub(super) fn convection_diffusion(
         Some(entry) => species(&entry)?,
         None => vec!["u".to_owned()],
     };
-    let form = section.optional("form");
-    let chosen = form.as_ref();
-    let form = chosen.map_or(Ok(Form::Direct), |entry| entry.choice(FORMS))?;
+    let form = match section.optional("form") {
+        Some(entry) => entry.choice(FORMS)?,
+        None => Form::Direct,
+    };
     let walls = walls(root, domain, &species, files)?;
-    if let (Some(entry), Form::Mixed) = (chosen, form) {
-        no_exchange(entry, &walls)?;
-    }
     Ok(ConvectionDiffusion {
         form,
         mean: mean(section, form)?,
@@ -133,22 +131,6 @@ pub(super) fn convection_diffusion(
         walls,
         species,
     })
-}
-
-/// That no wall exchanges in the mixed form, where that is unstable at any step: from one particle
-/// to another what passes the wall would count otherwise than back.
-fn no_exchange(form: &Entry<'_>, walls: &Walls) -> Result<(), Fault> {
-    let mut conditions = walls.iter().flatten().flatten();
-    let exchanges = |condition: &WallCondition| match condition {
-        WallCondition::Exchange { rate, .. } => *rate > 0.0,
-        _ => false,
-    };
-    if !conditions.any(exchanges) {
-        return Ok(());
-    }
-    let reason = "a [[wall]] is of kind \"exchange\", where the mixed form is unstable".to_owned();
-    let cure = "set form = \"direct\", or let the wall be of kind \"value\" or \"flux\"";
-    Err(form.does_not_fit(reason, cure))
 }
 
 fn species(entry: &Entry<'_>) -> Result<Vec<String>, Fault> {

@@ -25,7 +25,6 @@ const SLAB_FAULTS: &[Case] = &[
     (D, "diffusivity = 0.5\nform = \"mixd\"", "form", "system.form = \"mixd\" is unknown", "did you mean `mixed`? known: direct, mixed"),
     (D, "diffusivity = 0.5\nmean = \"geometric\"", "mean", "system.mean = \"geometric\"", "known: arithmetic, harmonic"),
     (D, "diffusivity = 0.5\nform = \"mixed\"\nmean = \"harmonic\"", "mean", "the mixed form takes b at a particle", "set form = \"direct\""),
-    (D, "diffusivity = 0.5\nform = \"mixed\"\n[[wall]]\naxis = \"x\"\nend = \"lower\"\nkind = \"exchange\"\nrate = 0.1\noutside = 0.0", "form", "a [[wall]] is of kind \"exchange\"", "set form = \"direct\""),
     // What b depends on.
     (D, "diffusivity = 0.5\nprofile = { kind = \"cubic\" }", "profile", "system.profile.kind = \"cubic\"", "known: uniform, parabola, layers"),
     (D, "diffusivity = 0.5\nprofile = { kind = \"parabola\", radius = 0 }", "profile", "system.profile.radius = 0 ", "larger than 0"),

@@ -85,12 +85,7 @@ where
         let largest = match self.form {
             Form::Direct => {
                 let sums = work.sums.get(..n).unwrap_or(&[]);
-                let law = self.direct(work.time);
-                let own = law.own_radius();
-                // The sums have the term of a particle on itself, which moves nothing.
-                let circles = sums
-                    .iter()
-                    .map(|settled| settled.sums.radius - own(&settled.node));
+                let circles = sums.iter().map(|settled| settled.sums.radius);
                 let widest = circles.reduce(Scalar::greater).unwrap_or(S::ZERO);
                 widest + widest
             }

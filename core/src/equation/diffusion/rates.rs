@@ -77,8 +77,20 @@ where
         };
         match self.form {
             Form::Direct => {
-                engine.sweep(&self.direct(time), &cells, nodes, sums)?;
-                for (settled, &id) in sums.iter().zip(cells.order()) {
+                let laws = self.law(time);
+                let law = Direct {
+                    cut_off: laws.cut_off,
+                    scale: laws.scale,
+                    height: laws.height,
+                    mean: self.mean,
+                    tensor: self.problem.tensor(),
+                    walls: laws.walls,
+                };
+                engine.sweep(&law, &cells, nodes, sums)?;
+                let own = law.own_radius();
+                for (settled, &id) in sums.iter_mut().zip(cells.order()) {
+                    // What a particle does to itself is nothing, and bounds no step.
+                    settled.sums.radius -= own(&settled.node);
                     let (rate, partners) = (settled.sums.rate, settled.sums.partners);
                     self.receive(state, work.last, id, (rate, partners), time);
                 }
@@ -151,19 +163,6 @@ where
                     }
                 }
             }
-        }
-    }
-
-    /// The law of the direct form.
-    pub(super) fn direct(&self, time: S) -> Direct<S, C, D, P> {
-        let laws = self.law(time);
-        Direct {
-            cut_off: laws.cut_off,
-            scale: laws.scale,
-            height: laws.height,
-            mean: self.mean,
-            tensor: self.problem.tensor(),
-            walls: laws.walls,
         }
     }
 

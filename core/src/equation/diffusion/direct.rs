@@ -53,9 +53,7 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Direct<S, C, D, P> {
         let dimensions = N::splat(S::count(D as u32 + 2).half());
         dimensions * along - N::splat(trace.half())
     }
-}
 
-impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Direct<S, C, D, P> {
     /// What the term of a node on itself adds to its `radius`, to the last bit.
     pub(super) fn own_radius(&self) -> impl Fn(&DiffusionNode<S, D, P>) -> S {
         let size = self.size(self.bracket(&[S::ZERO; D], S::ZERO).0);

@@ -646,3 +646,13 @@ fn an_interrupt_ends_converge_and_nothing_is_written() {
     let out = folder.path().join("out/converge-sod");
     assert_eq!(std::fs::read_dir(out).unwrap().count(), 0);
 }
+
+/// As in `motes run FILE 2>&1 | head -1`.
+#[test]
+fn errors_that_nobody_reads_keep_their_exit_code() {
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    let mut program = std::process::Command::new(env!("CARGO_BIN_EXE_motes"));
+    let status = program.args(["run", "nosuch"]).stderr(writer).status();
+    assert_eq!(status.unwrap().code(), Some(2));
+}

@@ -44,7 +44,8 @@ pub fn main() -> ExitCode {
         Err(Failure::Run(report)) => (report, 1),
         Err(Failure::Interrupted(report)) => (report, 130),
     };
-    eprintln!("{report:?}");
+    // Where nobody reads it the exit code still says it.
+    let _ = writeln!(std::io::stderr(), "{report:?}");
     ExitCode::from(code)
 }
 

@@ -16,8 +16,8 @@ const CORE: [&str; 10] = [
     "digest",
 ];
 
-/// The layers of the host, lowest first.
-const HOST: [&str; 22] = [
+/// The layers of the generic part of the host, lowest first.
+const SOLVER: [&str; 13] = [
     "units",
     "sums",
     "table",
@@ -29,6 +29,14 @@ const HOST: [&str; 22] = [
     "setup",
     "simulation",
     "comparison",
+    "linear",
+    "compiled",
+];
+
+/// The layers of the program, lowest first; all of them lie above the solver.
+const HOST: [&str; 13] = [
+    "scalars",
+    "simulation",
     "linear",
     "experiment",
     "study",
@@ -90,6 +98,11 @@ fn check(root: &str, layers: &[&str]) {
 #[test]
 fn the_core_is_layered() {
     check("core/src", &CORE);
+}
+
+#[test]
+fn the_solver_is_layered() {
+    check("host/solver/src", &SOLVER);
 }
 
 #[test]

@@ -2,22 +2,17 @@
 
 pub mod benchmark;
 pub mod cli;
-pub mod comparison;
-pub mod engine;
-pub mod exact;
 pub mod experiment;
 pub mod export;
-pub mod flows;
 pub mod io;
 pub mod linear;
 pub mod report;
-pub mod scenario;
-pub mod setup;
+mod scalars;
 pub mod simulation;
 pub mod snapshots;
 pub mod study;
 pub mod suite;
-pub mod sums;
-pub mod symmetriser;
-mod table;
-pub mod units;
+
+pub use motes_solver::{
+    comparison, engine, exact, flows, scenario, setup, sums, symmetriser, units,
+};

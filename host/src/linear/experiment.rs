@@ -2,19 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use super::comparison::errors;
-use super::doubts::{doubts, undamped};
-use super::limits::LinearError;
-use super::outcome::Outcome;
-use super::plan::Plan;
-use super::run::Control;
-use super::scalars;
-use super::solution::solution;
+use super::{Control, LinearError, Outcome, Plan, doubts, errors, run, solution, undamped};
 use crate::comparison::Norms;
 use crate::engine::Threads;
 use crate::exact::linear::solution::Solution;
+use crate::scalars::ScalarName;
 use crate::scenario::linear::LinearScenario;
-use crate::simulation::ScalarName;
 
 /// A scenario, what became of it, and how that compares.
 pub struct Experiment {
@@ -62,7 +55,7 @@ impl Experiment {
             true => solution(&scenario)?,
             false => None,
         };
-        let outcome = scalars::run(&plan, scalar, checked, engine, control)?;
+        let outcome = run(&plan, scalar, checked, engine, control)?;
         let window = &scenario.output.window;
         let errors = exact
             .as_ref()

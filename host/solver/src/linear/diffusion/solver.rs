@@ -40,7 +40,7 @@ const FEWEST_STEPS: f64 = 64.0;
 
 impl Plan {
     /// The longest step that is made without being asked for.
-    pub(crate) fn longest_step(&self) -> f64 {
+    pub fn longest_step(&self) -> f64 {
         self.end / FEWEST_STEPS
     }
 }

@@ -5,5 +5,6 @@ mod problem;
 pub(super) mod solution;
 mod solver;
 
+pub use problem::Media;
 pub(super) use problem::form;
 pub(super) use solver::{Diffusion, Stepping};

@@ -2,10 +2,10 @@
 //! particles stepped to the end, and the result compared with the exact solution.
 
 mod arrays;
+mod choice;
 mod comparison;
 mod diffusion;
 mod doubts;
-mod experiment;
 mod field;
 mod growth;
 mod limits;
@@ -13,17 +13,17 @@ mod outcome;
 mod plan;
 mod quadrature;
 mod run;
-mod scalars;
 mod solution;
 mod solver;
 mod systems;
 
+pub use choice::{in_fixed_point, in_floats};
 pub use comparison::{RECONSTRUCTION, STATE, errors};
-pub use experiment::Experiment;
+pub use diffusion::Media;
+pub use doubts::{doubts, undamped};
 pub use limits::LinearError;
 pub use outcome::{Cloud, Energy, Outcome, Sample};
 pub use plan::Plan;
 pub use quadrature::{Quadrature, QuadratureError};
 pub use run::{Control, Look};
-pub use scalars::run;
 pub use solution::solution;

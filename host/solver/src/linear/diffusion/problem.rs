@@ -12,7 +12,7 @@ use crate::scenario::linear as scenario;
 use crate::scenario::linear::{ConvectionDiffusion, System, WallCondition};
 
 /// The lists that a problem refers to, in solver units.
-pub(crate) struct Media<S> {
+pub struct Media<S> {
     bounds: Vec<S>,
     factors: Vec<S>,
     /// By direction, end and species; empty where nothing changes in time.
@@ -24,7 +24,7 @@ type Series<S> = Vec<(S, S)>;
 
 impl Plan {
     /// The convection-diffusion of the plan; `None` for another system.
-    pub(crate) fn convection_diffusion(&self) -> Option<&ConvectionDiffusion> {
+    pub fn convection_diffusion(&self) -> Option<&ConvectionDiffusion> {
         match &self.system {
             System::ConvectionDiffusion(problem) => Some(problem),
             _ => None,
@@ -64,7 +64,7 @@ impl Plan {
     }
 
     /// The lists of a problem.
-    pub(crate) fn media<S: Scalar>(&self, problem: &ConvectionDiffusion) -> Media<S> {
+    pub fn media<S: Scalar>(&self, problem: &ConvectionDiffusion) -> Media<S> {
         let (bounds, factors) = match &problem.profile {
             scenario::Conductor::Layers { bounds, factors } => {
                 (bounds.as_slice(), factors.as_slice())
@@ -95,7 +95,7 @@ impl Plan {
     }
 
     /// The problem, with nothing for species beyond those of the plan.
-    pub(crate) fn problem<'a, S: Scalar, const D: usize, const P: usize>(
+    pub fn problem<'a, S: Scalar, const D: usize, const P: usize>(
         &self,
         of: &ConvectionDiffusion,
         media: &'a Media<S>,
@@ -218,7 +218,7 @@ fn within(series: &scenario::Series, duration: f64) -> Vec<(f64, f64)> {
 }
 
 /// The form of the core.
-pub(crate) fn form(of: &ConvectionDiffusion) -> (Form, Mean) {
+pub(in crate::linear) fn form(of: &ConvectionDiffusion) -> (Form, Mean) {
     let form = match of.form {
         scenario::Form::Direct => Form::Direct,
         scenario::Form::Mixed => Form::Mixed,

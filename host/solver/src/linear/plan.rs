@@ -195,7 +195,7 @@ impl Plan {
 
     /// The particles, in the scalar and dimension of the run, with zeros for components beyond
     /// those of the plan.
-    pub(crate) fn particles<S: Scalar, const D: usize, const P: usize>(
+    pub fn particles<S: Scalar, const D: usize, const P: usize>(
         &self,
     ) -> impl Iterator<Item = Particle<S, D, P>> {
         let values = self.values.chunks_exact(self.names.len());

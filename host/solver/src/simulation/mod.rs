@@ -1,15 +1,16 @@
 //! A run: the state in memory, the solver around it, what is measured of it.
 
 mod arrays;
+mod choice;
 mod limits;
 mod opening;
 mod outcome;
 mod plan;
 mod planning;
 mod run;
-mod scalars;
 
 pub use arrays::GasArrays;
+pub use choice::{in_dimensions, in_floats};
 pub use limits::RunError;
 pub(crate) use limits::{check_memory, check_numbers};
 pub use opening::{Incoming, OpenSides, OpenZone};
@@ -17,4 +18,3 @@ pub use outcome::{Drift, Lonely, Outcome, ParticleRow, Sample, Spread};
 pub use plan::Plan;
 pub use planning::PlanError;
 pub use run::{Control, Look};
-pub use scalars::{ScalarName, UnknownScalar, run};

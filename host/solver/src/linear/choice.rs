@@ -1,12 +1,8 @@
-//! From the names of a scalar and a system to the code that runs with them.
+//! From a plan to the code that runs it: system, dimension, components and cut-off.
 
-#[cfg(all(feature = "every-scalar", not(test)))]
-use fixed::types::extra::{U12, U16, U18, U19, U20, U22, U32, U40, U48};
 use motes_core::cutoff::{CutOff, Named, QuinticSpline, Smooth};
 use motes_core::equation::diffusion::DiffusionDynamics;
 use motes_core::equation::linear::{FirstOrderSystem, LinearDynamics};
-#[cfg(all(feature = "every-scalar", not(test)))]
-use motes_core::scalar::{Checked, Micro, Q32, Q64};
 
 use super::arrays::{DiffusionArrays, LinearArrays};
 use super::diffusion::{Diffusion, Stepping, form};
@@ -17,24 +13,22 @@ use super::run::{Control, run_with};
 use super::solver::{FirstOrder, Solver};
 use crate::engine::{HostScalar, Threads};
 use crate::scenario::linear::{Method, System};
-use crate::simulation::ScalarName;
 
 /// A run with everything but its types chosen.
 struct Call<'a, 'c, 'd> {
     plan: &'a Plan,
-    scalar: ScalarName,
+    scalar: &'a str,
     engine: &'a mut Threads,
     control: &'c mut Control<'d>,
 }
 
-/// Runs `plan` to its end; `checked` marks overflow in fixed point and stops at the first.
+/// Every system.
 ///
 /// # Errors
 /// What [`LinearError`] lists.
-pub fn run(
+pub fn in_floats<S: HostScalar>(
     plan: &Plan,
-    scalar: ScalarName,
-    checked: bool,
+    scalar: &str,
     engine: &mut Threads,
     control: &mut Control<'_>,
 ) -> Result<Outcome, LinearError> {
@@ -44,31 +38,26 @@ pub fn run(
         engine,
         control,
     };
-    let _ = checked;
-    match scalar {
-        ScalarName::F64 => call.in_floats::<f64>(),
-        ScalarName::F32 => call.in_floats::<f32>(),
-        #[cfg(all(feature = "every-scalar", not(test)))]
-        ScalarName::Micromath => call.in_fixed_point::<Micro>(),
-        #[cfg(all(feature = "every-scalar", not(test)))]
-        ScalarName::Q9p22 => call.maybe_checked::<Q32<U22>>(checked),
-        #[cfg(all(feature = "every-scalar", not(test)))]
-        ScalarName::Q11p20 => call.maybe_checked::<Q32<U20>>(checked),
-        #[cfg(all(feature = "every-scalar", not(test)))]
-        ScalarName::Q12p19 => call.maybe_checked::<Q32<U19>>(checked),
-        #[cfg(all(feature = "every-scalar", not(test)))]
-        ScalarName::Q13p18 => call.maybe_checked::<Q32<U18>>(checked),
-        #[cfg(all(feature = "every-scalar", not(test)))]
-        ScalarName::Q15p16 => call.maybe_checked::<Q32<U16>>(checked),
-        #[cfg(all(feature = "every-scalar", not(test)))]
-        ScalarName::Q19p12 => call.maybe_checked::<Q32<U12>>(checked),
-        #[cfg(all(feature = "every-scalar", not(test)))]
-        ScalarName::Q15p48 => call.maybe_checked::<Q64<U48>>(checked),
-        #[cfg(all(feature = "every-scalar", not(test)))]
-        ScalarName::Q23p40 => call.maybe_checked::<Q64<U40>>(checked),
-        #[cfg(all(feature = "every-scalar", not(test)))]
-        ScalarName::Q31p32 => call.maybe_checked::<Q64<U32>>(checked),
-    }
+    call.in_floats::<S>()
+}
+
+/// The systems of one dimension that a device may want; others are refused.
+///
+/// # Errors
+/// What [`LinearError`] lists.
+pub fn in_fixed_point<S: HostScalar>(
+    plan: &Plan,
+    scalar: &str,
+    engine: &mut Threads,
+    control: &mut Control<'_>,
+) -> Result<Outcome, LinearError> {
+    let call = Call {
+        plan,
+        scalar,
+        engine,
+        control,
+    };
+    call.in_fixed_point::<S>()
 }
 
 /// How many components a system given by its matrices is compiled for: the least that hold them.
@@ -128,19 +117,6 @@ impl Call<'_, '_, '_> {
         }
     }
 
-    #[cfg(all(feature = "every-scalar", not(test)))]
-    fn maybe_checked<S>(self, checked: bool) -> Result<Outcome, LinearError>
-    where
-        S: HostScalar,
-        Checked<S>: HostScalar,
-    {
-        if checked {
-            self.in_fixed_point::<Checked<S>>()
-        } else {
-            self.in_fixed_point::<S>()
-        }
-    }
-
     /// With a cut-off that is looked up for each pair.
     fn with<
         S: HostScalar,
@@ -165,9 +141,6 @@ impl Call<'_, '_, '_> {
         self,
         system: impl Fn(&Plan) -> Option<F>,
     ) -> Result<Outcome, LinearError> {
-        if cfg!(test) {
-            return self.with::<S, F, D, P>(system);
-        }
         match self.plan.cut_off {
             Named::QuinticSpline => self.with_cut_off::<S, _, F, D, P>(QuinticSpline, system),
             Named::SmoothFour => self.with_cut_off::<S, _, F, D, P>(Smooth::<7, 4>, system),
@@ -216,7 +189,7 @@ impl Call<'_, '_, '_> {
         self,
     ) -> Result<Outcome, LinearError> {
         match self.plan.cut_off {
-            Named::QuinticSpline if !cfg!(test) => self.diffusion_with::<S, _, D, P>(QuinticSpline),
+            Named::QuinticSpline => self.diffusion_with::<S, _, D, P>(QuinticSpline),
             _ => self.diffusion::<S, D, P>(),
         }
     }
@@ -258,10 +231,9 @@ impl Call<'_, '_, '_> {
         solver: V,
         bytes: usize,
     ) -> Result<Outcome, LinearError> {
-        let scalar = self.scalar.name();
         run_with(
             self.plan,
-            scalar,
+            self.scalar,
             (solver, bytes),
             self.engine,
             self.control,
@@ -272,7 +244,7 @@ impl Call<'_, '_, '_> {
         LinearError::NoFixedPoint {
             system: self.plan.system.name(),
             dimension: self.plan.dimension,
-            scalar: self.scalar.name().to_owned(),
+            scalar: self.scalar.to_owned(),
         }
     }
 }

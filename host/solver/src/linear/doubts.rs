@@ -5,7 +5,7 @@ use crate::scenario::Side;
 use crate::scenario::linear::{Arrangement, Initial, LinearScenario};
 
 /// What a careful reader of the results should know of a scenario.
-pub(super) fn doubts(scenario: &LinearScenario, plan: &Plan) -> Vec<String> {
+pub fn doubts(scenario: &LinearScenario, plan: &Plan) -> Vec<String> {
     volume(scenario, plan)
         .into_iter()
         .chain(resolution(scenario, plan))
@@ -16,7 +16,7 @@ pub(super) fn doubts(scenario: &LinearScenario, plan: &Plan) -> Vec<String> {
 const UNDAMPED: f64 = 0.02;
 
 /// A state with waves that the mixed form of diffusion does not see.
-pub(super) fn undamped(part: f64) -> Option<String> {
+pub fn undamped(part: f64) -> Option<String> {
     (part > UNDAMPED).then(|| {
         format!(
             "waves of two or three spacings make {:.1} % of the state at the end: the mixed form does \

@@ -1,0 +1,51 @@
+//! The runs of one scalar, as what a crate can hold compiled.
+
+use crate::engine::{HostScalar, Threads};
+use crate::linear::{self, LinearError};
+use crate::simulation::{self, RunError};
+
+/// Runs a plan of gas dynamics; the text is the name of the scalar, for messages.
+pub type RunGas = fn(
+    &simulation::Plan,
+    &str,
+    &mut Threads,
+    &mut simulation::Control<'_>,
+) -> Result<simulation::Outcome, RunError>;
+
+/// Runs a plan of a linear system or of convection-diffusion.
+pub type RunLinear = fn(
+    &linear::Plan,
+    &str,
+    &mut Threads,
+    &mut linear::Control<'_>,
+) -> Result<linear::Outcome, LinearError>;
+
+/// The runs of one scalar.
+///
+/// A `static` of this type is where the code for its scalar is made: minutes of work for the
+/// compiler, which several crates share.
+#[derive(Clone, Copy, Debug)]
+pub struct Compiled {
+    /// Gas dynamics.
+    pub gas: RunGas,
+    /// Linear systems and convection-diffusion.
+    pub linear: RunLinear,
+}
+
+impl Compiled {
+    /// With the usual cut-offs compiled into the loops, and every system.
+    pub const fn fast<S: HostScalar>() -> Self {
+        Self {
+            gas: simulation::in_floats::<S>,
+            linear: linear::in_floats::<S>,
+        }
+    }
+
+    /// With cut-offs that are looked up for each pair, and the systems that a device may want.
+    pub const fn small<S: HostScalar>() -> Self {
+        Self {
+            gas: simulation::in_dimensions::<S>,
+            linear: linear::in_fixed_point::<S>,
+        }
+    }
+}

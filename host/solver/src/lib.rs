@@ -1,0 +1,18 @@
+//! From a scenario to its result: set-up, run, exact solution, comparison.
+//!
+//! All of it is generic over the scalar, and none of it is compiled for one: `motes-floats`,
+//! `motes-fixed` and `motes-checked` do that, side by side, each through [`compiled`].
+
+pub mod comparison;
+pub mod compiled;
+pub mod engine;
+pub mod exact;
+pub mod flows;
+pub mod linear;
+pub mod scenario;
+pub mod setup;
+pub mod simulation;
+pub mod sums;
+pub mod symmetriser;
+mod table;
+pub mod units;

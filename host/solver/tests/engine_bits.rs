@@ -4,7 +4,6 @@ mod clouds;
 
 use clouds::{Cloud, Following, sides};
 use fixed::types::extra::{U19, U32};
-use motes::engine::{GrowingList, HostScalar, InstructionSet, Threads};
 use motes_core::cutoff::{CubicSpline, CutOff, QuinticSpline, RootFree};
 use motes_core::digest::Digest;
 use motes_core::domain::Side;
@@ -16,6 +15,7 @@ use motes_core::error::Error;
 use motes_core::neighbours::Cells;
 use motes_core::pairs::{Engine, Fields, HalfLoop, Law, PlainLoop, Portable, Settled, lanes};
 use motes_core::scalar::{Micro, Q32, Q64, Scalar};
+use motes_solver::engine::{GrowingList, HostScalar, InstructionSet, Threads};
 use proptest::prelude::*;
 
 /// Lanes without threads, over a few ranges that cut rows anywhere.

@@ -13,7 +13,6 @@ use all_pairs::{Body, Found, Problem, Viscosity, dot, gradient, length, shape, s
 use all_pairs::{zeta, zeta_by_epsilon};
 use clouds::{Cloud, Solver, sides};
 use fixed::types::extra::{U19, U32};
-use motes::simulation::GasArrays;
 use motes_core::cutoff::Named;
 use motes_core::domain::{Axis, Side};
 use motes_core::equation::gas::viscosity::{self, Coefficients, GingoldMonaghan};
@@ -21,6 +20,7 @@ use motes_core::equation::gas::viscosity::{Pairwise, VonNeumann};
 use motes_core::equation::gas::{Gas, Options, Particle, Weights, Width};
 use motes_core::pairs::{HalfLoop, PlainLoop};
 use motes_core::scalar::{Micro, Q32, Q64, Scalar};
+use motes_solver::simulation::GasArrays;
 
 /// Every cut-off, with η on a line, in a plane and in space: wide enough for some neighbours,
 /// narrow enough for three reaches in a small period.

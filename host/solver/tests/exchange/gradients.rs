@@ -1,6 +1,5 @@
 //! Gradients are exact for linear fields, whatever the cloud.
 
-use motes::simulation::GasArrays;
 use motes_core::cutoff::CubicSpline;
 use motes_core::domain::Domain;
 use motes_core::equation::gas::Options;
@@ -8,6 +7,7 @@ use motes_core::equation::gas::Particle;
 use motes_core::equation::gas::gradient::{Gradient, GradientNode, GradientSums, Slopes};
 use motes_core::neighbours::sort;
 use motes_core::pairs::{Engine, Fields, PlainLoop, Settled};
+use motes_solver::simulation::GasArrays;
 
 use super::{Matrix, cloud, dot, times};
 use crate::clouds::Stream;

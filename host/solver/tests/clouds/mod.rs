@@ -1,12 +1,12 @@
 //! Disordered clouds for tests: unequal masses, every kind of side, any scalar.
 #![allow(dead_code, reason = "every test uses its part of this module")]
 
-use motes::simulation::GasArrays;
 use motes_core::cutoff::CutOff;
 use motes_core::domain::{Axis, Domain, Side};
 use motes_core::equation::gas::{GasDynamics, Options, Particle, Physics, Plain, Viscosity, Width};
 use motes_core::material::IdealGas;
 use motes_core::scalar::Scalar;
+use motes_solver::simulation::GasArrays;
 
 /// A gas solver of the tests, with the law `P`.
 pub type Following<S, C, V, P, const D: usize> = GasDynamics<'static, S, C, V, IdealGas<S>, P, D>;

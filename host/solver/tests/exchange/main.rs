@@ -12,7 +12,6 @@ mod switches;
 mod walls;
 
 use clouds::Cloud;
-use motes::simulation::GasArrays;
 use motes_core::cutoff::CutOff;
 use motes_core::domain::{Axis, Domain};
 use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
@@ -21,6 +20,7 @@ use motes_core::equation::gas::{
 };
 use motes_core::material::EquationOfState;
 use motes_core::pairs::HalfLoop;
+use motes_solver::simulation::GasArrays;
 
 /// A vector field or a velocity gradient, `∂u_i/∂x_j`.
 type Matrix<const D: usize> = [[f64; D]; D];

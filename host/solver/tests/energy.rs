@@ -4,14 +4,14 @@
 mod clouds;
 
 use clouds::{Cloud, Following, sides};
-use motes::engine::Threads;
-use motes::simulation::GasArrays;
 use motes_core::cutoff::CubicSpline;
 use motes_core::domain::Side;
 use motes_core::equation::gas::viscosity::{
     Coefficients, GingoldMonaghan, Named, Pairwise, VonNeumann,
 };
 use motes_core::equation::gas::{Diffusion, EnergyForm, Gas, Options, Plain, Switch, Width};
+use motes_solver::engine::Threads;
+use motes_solver::simulation::GasArrays;
 
 const ADAPTIVE: Width<f64> = Width::Adaptive { eta: 1.2 };
 

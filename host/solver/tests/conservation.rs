@@ -5,12 +5,12 @@ mod clouds;
 
 use clouds::Cloud;
 use fixed::types::extra::{U19, U32};
-use motes::engine::{HostScalar, Threads};
 use motes_core::cutoff::CubicSpline;
 use motes_core::domain::Side;
 use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
 use motes_core::equation::gas::{Gas, Width};
 use motes_core::scalar::{Q32, Q64, Scalar};
+use motes_solver::engine::{HostScalar, Threads};
 
 const STEPS: u32 = 200;
 

@@ -4,8 +4,6 @@
 mod clouds;
 
 use clouds::Cloud;
-use motes::engine::Threads;
-use motes::simulation::GasArrays;
 use motes_core::cutoff::CubicSpline;
 use motes_core::domain::Side;
 use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
@@ -16,6 +14,8 @@ use motes_core::error::{Container, Error};
 use motes_core::neighbours::cell_bound;
 use motes_core::pairs::{Engine, HalfLoop};
 use motes_core::scalar::Scalar;
+use motes_solver::engine::Threads;
+use motes_solver::simulation::GasArrays;
 
 const N: usize = 64;
 const CELLS: usize = cell_bound(N as u32) as usize + 1;

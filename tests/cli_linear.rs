@@ -154,6 +154,34 @@ fn bad_input_is_answered_with_the_value_and_the_cure() {
     assert!(errors.contains("there is no field `density`"), "{errors}");
 }
 
+/// What could never end stops at once, and walls that are nearer than the cut-off sees are refused.
+#[test]
+fn runs_without_end_and_boxes_without_room_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let told = |arguments: &[&str], code| {
+        let errors = failure(folder.path(), arguments, code);
+        let words = errors.split_whitespace().filter(|word| *word != "│");
+        words.collect::<Vec<_>>().join(" ")
+    };
+    let endless = told(&["run", "heat1d", "--set", "system.diffusivity=1e30"], 1);
+    assert!(endless.contains("of them to the end"), "{endless}");
+    let endless = told(&["run", "sod", "--set", "time.end=1e13"], 1);
+    assert!(endless.contains("out of proportion"), "{endless}");
+    let near = told(&["run", "robin-wall", "--set", "cut-off.epsilon=0.4"], 2);
+    assert!(near.contains("nearer than one reach"), "{near}");
+    stdout(
+        folder.path(),
+        &[
+            "run",
+            "robin-wall",
+            "-n",
+            "50",
+            "--set",
+            "cut-off.epsilon=0.3",
+        ],
+    );
+}
+
 /// The levels that a study chooses itself all fit the period: the coarsest is not below it.
 #[test]
 fn a_study_chooses_levels_that_fit_the_cut_off() {

@@ -63,6 +63,12 @@ pub enum Error {
         /// The direction, from 0.
         axis: u8,
     },
+    /// Two walls that face each other are nearer than one reach of the cut-off, so that a particle
+    /// would meet images of images. The reach has the same room as above.
+    WallsTooNear {
+        /// The direction, from 0.
+        axis: u8,
+    },
     /// The domain or the reach is too large for squares of displacements in this format.
     Range,
     /// A particle of a material that there is not.
@@ -159,6 +165,11 @@ impl fmt::Display for Error {
             Self::PeriodTooShort { axis } => write!(
                 f,
                 "the period in direction {axis} is below three reaches of the cut-off: use more \
+                 particles, a smaller epsilon or eta, or a longer domain"
+            ),
+            Self::WallsTooNear { axis } => write!(
+                f,
+                "the walls in direction {axis} are nearer than one reach of the cut-off: use more \
                  particles, a smaller epsilon or eta, or a longer domain"
             ),
             Self::Range => f.write_str(

@@ -33,8 +33,8 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
     /// Fits cells to the cloud: any two positions within `reach` of each other lie at most
     /// one cell apart, four along the last direction.
     ///
-    /// Errors: a domain upside down, a period below three reaches, a reach beyond
-    /// [`Scalar::REACH_LIMIT`].
+    /// Errors: a domain upside down, a period below three reaches, two walls that are nearer than
+    /// one, a reach beyond [`Scalar::REACH_LIMIT`].
     pub fn fit(domain: &Domain<S, D>, positions: &[[S; D]], reach: S) -> Result<Self, Error> {
         // Not `reach > limit`: that would let a NaN pass.
         if !(reach > S::ZERO && reach < S::REACH_LIMIT) {
@@ -44,6 +44,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
         // 1/64: what rounding may move a position in units of cells, see CELL_LIMIT.
         let mut edge = reach + reach * S::from_f64(1.0 / 64.0);
         let bounds = extent(domain, positions)?;
+        long_enough(domain, edge, &bounds)?;
         for _ in 0..40 {
             let grid = Self::with_edge(domain, &bounds, edge)?;
             if grid.cells() <= bound {
@@ -74,14 +75,11 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
             axis.sides = sides.sides;
             (axis.origin, axis.end) = (lower, upper);
             let length = upper - lower;
-            let long = length.cells(edge).min(S::CELL_LIMIT);
             axis.count = (length.cells(edge / S::count(axis.window)))
                 .min(S::CELL_LIMIT.saturating_mul(axis.window))
                 .max(1);
             if sides.is_periodic() {
-                if long < 3 {
-                    return Err(Error::PeriodTooShort { axis: i as u8 });
-                }
+                // Wide enough: `long_enough` has seen that a third of the period is.
                 axis.count = axis.count.max(3 * axis.window);
             }
             axis.cell = length / S::count(axis.count);
@@ -178,6 +176,25 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
         }
         offsets
     }
+}
+
+/// Refuses periods and boxes in which a particle would meet images that are not looked for: of
+/// itself, or behind both walls.
+fn long_enough<S: Scalar, const D: usize>(
+    domain: &Domain<S, D>,
+    edge: S,
+    bounds: &[[S; 2]; D],
+) -> Result<(), Error> {
+    for (i, (axis, &[lower, upper])) in domain.axes.iter().zip(bounds).enumerate() {
+        let reaches = (upper - lower).cells(edge);
+        if axis.is_periodic() && reaches < 3 {
+            return Err(Error::PeriodTooShort { axis: i as u8 });
+        }
+        if axis.sides == [Side::Mirror; 2] && reaches < 1 {
+            return Err(Error::WallsTooNear { axis: i as u8 });
+        }
+    }
+    Ok(())
 }
 
 /// Lower and upper end of each direction: its sides, or the cloud's own where it is free.

@@ -147,7 +147,9 @@ pub(super) fn failure(error: RunError) -> Failure {
     match error {
         RunError::Interrupted { .. } => Failure::Interrupted(error.into()),
         RunError::Format { .. } | RunError::Memory { .. } => Failure::Input(error.into()),
-        RunError::Solver { .. } | RunError::Look { .. } => Failure::Run(error.into()),
+        RunError::Solver { .. } | RunError::Endless { .. } | RunError::Look { .. } => {
+            Failure::Run(error.into())
+        }
     }
 }
 

@@ -13,7 +13,7 @@ use super::outcome::{Cloud, Outcome, Sample};
 use super::plan::Plan;
 use super::solver::Solver;
 use crate::engine::{HostScalar, Threads};
-use crate::simulation::{RunError, Spread, check_memory};
+use crate::simulation::{RunError, Spread, check_memory, check_step};
 use crate::sums::compensated;
 
 /// A look at a run between two steps.
@@ -91,6 +91,7 @@ where
         self.show(&state, control)?;
         while let Some(left) = self.clock.left() {
             let dt = self.time_step(&state, &work, left)?;
+            check_step((self.time(), self.plan.unit_of_time()), dt, left)?;
             let source = self.source_norm(&state);
             let step = (self.clock.time, dt);
             let made = self.solver.advance(engine, &mut state, &mut work, step);
@@ -182,7 +183,10 @@ where
     fn failed(&self, error: Error) -> LinearError {
         let narrow = matches!(
             error,
-            Error::Isolated { .. } | Error::PeriodTooShort { .. } | Error::Range
+            Error::Isolated { .. }
+                | Error::PeriodTooShort { .. }
+                | Error::WallsTooNear { .. }
+                | Error::Range
         );
         if narrow && self.clock.steps == 0 {
             let (spacings, epsilon) = (self.plan.epsilon, self.plan.width());

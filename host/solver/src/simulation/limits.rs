@@ -49,6 +49,20 @@ pub enum RunError {
         /// The scalar.
         scalar: String,
     },
+    /// A step so short that the run has no end.
+    #[error("at t = {time:?} the stable step is {step:.3e}: {steps:.1e} of them to the end")]
+    #[diagnostic(help(
+        "a speed, a diffusivity or a rate is out of proportion to time.end, or has become so: look \
+         at its unit"
+    ))]
+    Endless {
+        /// When, in the scenario's units.
+        time: f64,
+        /// The step, likewise.
+        step: f64,
+        /// How many would follow.
+        steps: f64,
+    },
     /// The caller asked for it.
     #[error("interrupted at t = {time}, after {step} steps: no results were written")]
     Interrupted {
@@ -127,6 +141,27 @@ pub(crate) fn check_numbers<S: Scalar>(
         }
     }
     Ok(())
+}
+
+/// Steps that no run makes: at a microsecond each they take eleven days.
+const MOST_STEPS: f64 = 1e12;
+
+/// Stops a run at a step, in solver units, so short that it has no end.
+pub(crate) fn check_step(
+    (time, unit): (f64, f64),
+    step: impl Scalar,
+    left: impl Scalar,
+) -> Result<(), RunError> {
+    let steps = left.to_f64() / step.to_f64();
+    // A step of 0 is for the clock to refuse.
+    if !(steps > MOST_STEPS && steps.is_finite()) {
+        return Ok(());
+    }
+    Err(RunError::Endless {
+        time,
+        step: step.to_f64() * unit,
+        steps,
+    })
 }
 
 /// Refuses a run that would not fit into memory, where the system says how much there is.

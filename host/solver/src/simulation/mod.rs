@@ -12,7 +12,7 @@ mod run;
 pub use arrays::GasArrays;
 pub use choice::{in_dimensions, in_floats};
 pub use limits::RunError;
-pub(crate) use limits::{check_memory, check_numbers};
+pub(crate) use limits::{check_memory, check_numbers, check_step};
 pub use opening::{Incoming, OpenSides, OpenZone};
 pub use outcome::{Drift, Lonely, Outcome, ParticleRow, Sample, Spread};
 pub use plan::Plan;

@@ -10,7 +10,7 @@ use motes_core::material::{EquationOfState, Named as NamedMaterial};
 use motes_core::scalar::Scalar;
 
 use super::arrays::GasArrays;
-use super::limits::{RunError, check_format, check_memory};
+use super::limits::{RunError, check_format, check_memory, check_step};
 use super::opening::OpenSides;
 use super::outcome::{Drift, Lonely, Outcome, ParticleRow, Sample, Spread};
 use super::plan::Plan;
@@ -116,6 +116,7 @@ where
                 .solver
                 .time_step(&gas, left)
                 .map_err(|error| self.failed(error))?;
+            check_step((self.time(), self.plan.units.time()), dt, left)?;
             self.solver
                 .advance(engine, &mut gas, &mut work, dt)
                 .map_err(|error| self.failed(error))?;

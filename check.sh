@@ -8,7 +8,8 @@
 #   ./check.sh devices    core on every device target; the firmware under QEMU, its digests
 #                         against tests/golden.csv, its instructions against
 #                         embedded/instructions.csv
-#   ./check.sh speed      lanes against the plain loop: the compiler still makes vectors of them
+#   ./check.sh speed      lanes against the plain loop, alone and in runs: the compiler still makes
+#                         vectors of them
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -131,6 +132,7 @@ emulate() {
 speed() {
   say "speed of lanes over the plain loop"
   cargo bench --bench pairs -- --ratio
+  cargo bench --bench runs
 }
 
 case "${1:-all}" in

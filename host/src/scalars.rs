@@ -28,8 +28,8 @@ macro_rules! scalars {
 }
 
 scalars! {
-    F64, "f64", "IEEE double precision", motes_floats::F64, motes_floats::F64;
-    F32, "f32", "IEEE single precision", motes_floats::F32, motes_floats::F32;
+    F64, "f64", "IEEE double precision", motes_f64::F64, motes_f64::F64;
+    F32, "f32", "IEEE single precision", motes_f32::F32, motes_f32::F32;
     #[cfg(feature = "every-scalar")]
     Micromath, "micromath", "f32 with approximate square roots",
         motes_fixed::MICROMATH, motes_fixed::MICROMATH;

@@ -1,0 +1,6 @@
+//! The runs of motes compiled for IEEE single precision.
+
+use motes_solver::compiled::Compiled;
+
+/// IEEE single precision.
+pub static F32: Compiled = Compiled::fast::<f32>();

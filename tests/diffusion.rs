@@ -78,7 +78,7 @@ fn sums_are_conserved_to_rounding() {
     }
 }
 
-#[cfg(feature = "every-scalar")]
+#[cfg(feature = "fixed-point")]
 #[test]
 fn in_fixed_point_the_sums_of_runge_kutta_steps_are_exact() {
     for scalar in ["q12.19", "q15.16", "q31.32"] {
@@ -195,7 +195,7 @@ fn a_reaction_that_turns_is_made_or_refused() {
 }
 
 /// A number that drives a wall and that the format does not hold is refused, not cut off.
-#[cfg(feature = "every-scalar")]
+#[cfg(feature = "fixed-point")]
 #[test]
 fn what_drives_a_wall_fits_the_format() {
     let hot = scenario("layered-wall", &["wall.0.value=1e5"]);

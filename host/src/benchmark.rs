@@ -1,14 +1,14 @@
 //! How fast the gas solver is: a jittered lattice in a periodic box, adaptive ε, M4 and the
-//! default viscosity.
+//! default viscosity, all chosen by name as in `motes run`.
 
 use std::time::Instant;
 
-use motes_core::cutoff::CubicSpline;
+use motes_core::cutoff::Named as NamedCutOff;
 use motes_core::domain::{Axis, Domain};
-use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
+use motes_core::equation::gas::viscosity::{Coefficients, Named as NamedViscosity, Pairwise};
 use motes_core::equation::gas::{GasDynamics, Options, Particle, Plain, Width};
 use motes_core::error::Error;
-use motes_core::material::IdealGas;
+use motes_core::material::{IdealGas, Named as NamedMaterial};
 
 use crate::engine::{HostScalar, Threads, ThreadsError};
 use crate::simulation::GasArrays;
@@ -130,15 +130,15 @@ fn steps<S: HostScalar, const D: usize>(
         domain: Domain {
             axes: [Axis::periodic(S::ZERO, S::from_f64(case.per_side as f64)); D],
         },
-        cut_off: CubicSpline,
+        cut_off: NamedCutOff::CubicSpline,
         width: Width::Adaptive {
             eta: S::from_f64(case.eta),
         },
-        viscosity: Pairwise(Coefficients {
+        viscosity: NamedViscosity::Pairwise(Pairwise(Coefficients {
             alpha: S::ONE,
             beta: S::from_f64(2.0),
-        }),
-        materials: &[IdealGas::new(1.4)],
+        })),
+        materials: &[NamedMaterial::IdealGas(IdealGas::new(1.4))],
         physics: Plain::DEFAULT,
         courant: S::from_f64(0.3),
         smallest_omega: S::from_f64(1.0 / 32.0),

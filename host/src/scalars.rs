@@ -30,7 +30,7 @@ macro_rules! scalars {
 scalars! {
     F64, "f64", "IEEE double precision", motes_f64::F64, motes_f64::F64;
     F32, "f32", "IEEE single precision", motes_f32::F32, motes_f32::F32;
-    #[cfg(feature = "every-scalar")]
+    #[cfg(feature = "fixed-point")]
     Micromath, "micromath", "f32 with approximate square roots",
         motes_fixed::MICROMATH, motes_fixed::MICROMATH;
     #[cfg(feature = "every-scalar")]
@@ -39,13 +39,13 @@ scalars! {
     #[cfg(feature = "every-scalar")]
     Q11p20, "q11.20", "32-bit fixed point, 20 fractional bits",
         motes_fixed::Q11P20, motes_checked::Q11P20;
-    #[cfg(feature = "every-scalar")]
+    #[cfg(feature = "fixed-point")]
     Q12p19, "q12.19", "32-bit fixed point, 19 fractional bits",
         motes_fixed::Q12P19, motes_checked::Q12P19;
     #[cfg(feature = "every-scalar")]
     Q13p18, "q13.18", "32-bit fixed point, 18 fractional bits",
         motes_fixed::Q13P18, motes_checked::Q13P18;
-    #[cfg(feature = "every-scalar")]
+    #[cfg(feature = "fixed-point")]
     Q15p16, "q15.16", "32-bit fixed point, 16 fractional bits",
         motes_fixed::Q15P16, motes_checked::Q15P16;
     #[cfg(feature = "every-scalar")]
@@ -57,7 +57,7 @@ scalars! {
     #[cfg(feature = "every-scalar")]
     Q23p40, "q23.40", "64-bit fixed point, 40 fractional bits",
         motes_fixed::Q23P40, motes_checked::Q23P40;
-    #[cfg(feature = "every-scalar")]
+    #[cfg(feature = "fixed-point")]
     Q31p32, "q31.32", "64-bit fixed point, 32 fractional bits",
         motes_fixed::Q31P32, motes_checked::Q31P32;
 }
@@ -65,7 +65,7 @@ scalars! {
 /// A name that no scalar has.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 #[error("unknown scalar `{name}`")]
-#[diagnostic(help("this build has {}", ScalarName::list()))]
+#[diagnostic(help("this build has {}{}", ScalarName::list(), ScalarName::more()))]
 pub struct UnknownScalar {
     /// The name.
     pub name: String,
@@ -76,6 +76,18 @@ impl ScalarName {
     pub fn list() -> String {
         let names: Vec<_> = Self::ALL.iter().map(|(_, name, _)| *name).collect();
         names.join(", ")
+    }
+
+    /// How to have the formats that this build lacks; empty where it lacks none.
+    fn more() -> &'static str {
+        if cfg!(feature = "every-scalar") {
+            ""
+        } else if cfg!(feature = "fixed-point") {
+            "; q9.22, q11.20, q13.18, q19.12, q15.48 and q23.40 come with `cargo run --release \
+             --features every-scalar`"
+        } else {
+            "; fixed point and micromath come without `--no-default-features`"
+        }
     }
 
     /// Its name.

@@ -26,6 +26,7 @@ mod named;
 mod quintic_spline;
 mod quintic_spline_four;
 mod root_free;
+mod shape;
 mod smooth;
 #[cfg(test)]
 mod tests;
@@ -36,6 +37,7 @@ pub use named::Named;
 pub use quintic_spline::QuinticSpline;
 pub use quintic_spline_four::QuinticSplineFour;
 pub use root_free::RootFree;
+pub use shape::{BLOCK, Needs, PairBlock, Parts, Shape, Shapes, Widths};
 pub use smooth::Smooth;
 pub use wendland::{WendlandC2, WendlandC4, WendlandC6};
 
@@ -78,6 +80,20 @@ pub trait CutOff: Copy + Send + Sync + 'static {
     #[inline(always)]
     fn edge<S: Scalar>(self) -> S {
         S::count(self.support())
+    }
+
+    /// Makes the shapes of the first `count` pairs of a block, whose receivers have that scale.
+    ///
+    /// A cut-off that is chosen at run time is chosen here, once for all of them.
+    #[inline(always)]
+    fn shapes<const D: usize, N: Number>(
+        self,
+        needs: Needs,
+        scale: N,
+        count: usize,
+        pairs: &mut PairBlock<N>,
+    ) {
+        pairs.make::<Self, D>(self, needs, scale, count);
     }
 }
 

@@ -4,7 +4,7 @@
 //! while those are `k`, then its own, then those of larger ones: the order of the plain
 //! loop. Images across periodic sides join in at the place that the sorted order gives them.
 
-use super::law::{Fields, Law, Settled};
+use super::law::{Fields, Law, Separation, Settled};
 use super::mirror::mirror_terms;
 use super::plain::receive;
 use crate::neighbours::{Cells, Run};
@@ -75,7 +75,8 @@ fn run_pairs<S: Scalar, const D: usize, W: Law<S, D>>(
         if distance_squared < Number::max(site.reach_squared, partner.reach_squared) {
             let l = shown.splat::<S>();
             let mut to_l = receiver.sums.splat::<S>();
-            law.pair(&k, &l, &r, distance_squared, &mut to_k, &mut to_l);
+            let apart = Separation::of(law, [&k, &l], r, distance_squared);
+            law.pair(&k, &l, &apart, &mut to_k, &mut to_l);
             // A particle's term on itself counts once, and goes to k.
             if !(itself && i == 0) {
                 receiver.sums = W::Sums::lane::<S>(&to_l, 0);

@@ -2,7 +2,8 @@
 
 use core::ops::Range;
 
-use super::law::{Fields, Law};
+use super::law::{Fields, Law, Separation};
+use crate::cutoff::{BLOCK, CutOff, Needs, PairBlock, Widths};
 use crate::domain::Offset;
 use crate::neighbours::{Cells, Image, Runs};
 use crate::scalar::{Lanes, Number, Scalar};
@@ -16,12 +17,21 @@ pub trait Kernel {
         runs: &Runs<D>,
         words: &mut [u32],
     ) -> usize;
+    /// As [`CutOff::shapes`]: a function of its own, so that laws share it.
+    fn shapes<S: Scalar, C: CutOff, const D: usize, const L: usize>(
+        cut_off: C,
+        needs: Needs,
+        scale: &Lanes<S, L>,
+        count: usize,
+        pairs: &mut PairBlock<Lanes<S, L>>,
+    );
     /// As [`sum`].
     fn sum<S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
         law: &W,
         cells: &Cells<'_, S, D>,
         nodes: &[W::Node],
         block: &Operands<'_, S, D, L, W>,
+        pairs: &mut PairBlock<Lanes<S, L>>,
         sums: &mut <W::Sums as Fields<S>>::Of<Lanes<S, L>>,
     );
 }
@@ -38,14 +48,24 @@ impl Kernel for Portable {
     ) -> usize {
         find(cells, receivers, runs, words)
     }
+    fn shapes<S: Scalar, C: CutOff, const D: usize, const L: usize>(
+        cut_off: C,
+        needs: Needs,
+        scale: &Lanes<S, L>,
+        count: usize,
+        pairs: &mut PairBlock<Lanes<S, L>>,
+    ) {
+        cut_off.shapes::<D, _>(needs, *scale, count, pairs);
+    }
     fn sum<S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
         law: &W,
         cells: &Cells<'_, S, D>,
         nodes: &[W::Node],
         block: &Operands<'_, S, D, L, W>,
+        pairs: &mut PairBlock<Lanes<S, L>>,
         sums: &mut <W::Sums as Fields<S>>::Of<Lanes<S, L>>,
     ) {
-        sum(law, cells, nodes, block, sums);
+        sum::<Self, S, D, L, W>(law, cells, nodes, block, pairs, sums);
     }
 }
 
@@ -163,16 +183,22 @@ pub fn find<S: Scalar, const D: usize, const L: usize>(
     used
 }
 
-/// Adds the terms of the candidates of a block to its sums.
+/// Adds the terms of the candidates of a block to its sums; `pairs` is room to work in.
+///
+/// Candidates are taken some at a time: first the distances of all of them, then their cut-off by
+/// the kernel's [`Kernel::shapes`], then their terms. So the loop of a law is compiled once,
+/// whatever the cut-off, and a cut-off once, whatever the law.
 #[inline(always)]
-pub fn sum<S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
+pub fn sum<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
     law: &W,
     cells: &Cells<'_, S, D>,
     nodes: &[W::Node],
     block: &Operands<'_, S, D, L, W>,
+    pairs: &mut PairBlock<Lanes<S, L>>,
     sums: &mut <W::Sums as Fields<S>>::Of<Lanes<S, L>>,
 ) {
     let (k, position) = (*block.k, block.receivers.position);
+    let (cut_off, scale) = (law.cut_off(), law.scale(&k));
     let mut to_k = *sums;
     let mut discarded = W::Sums::ZERO.splat::<Lanes<S, L>>();
     let sites = cells.sites();
@@ -183,15 +209,34 @@ pub fn sum<S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
             .unwrap_or((rest, &[]));
         candidates = rest;
         let shift = shift_of(cells, Image::unpacked(*image));
-        for &place in stretch {
-            let (Some(site), Some(shown)) = (sites.get(place as usize), nodes.get(place as usize))
-            else {
-                continue;
-            };
-            let r = displacement(&position, &site.position, &shift);
-            let distance_squared = Lanes::length_squared(&r);
-            let l = shown.splat::<Lanes<S, L>>();
-            law.pair(&k, &l, &r, distance_squared, &mut to_k, &mut discarded);
+        for part in stretch.chunks(BLOCK) {
+            for (i, &place) in part.iter().enumerate() {
+                let (Some(site), Some(shown)) =
+                    (sites.get(place as usize), nodes.get(place as usize))
+                else {
+                    continue;
+                };
+                let r = displacement(&position, &site.position, &shift);
+                pairs.distance_squared[i] = Lanes::length_squared(&r);
+                if W::NEEDS.widths == Widths::Both {
+                    pairs.scale[i] = law.scale::<S>(&shown.splat::<S>());
+                }
+            }
+            K::shapes::<S, W::CutOff, D, L>(cut_off, W::NEEDS, &scale, part.len(), pairs);
+            for (i, &place) in part.iter().enumerate() {
+                let (Some(site), Some(shown)) =
+                    (sites.get(place as usize), nodes.get(place as usize))
+                else {
+                    continue;
+                };
+                let apart = Separation {
+                    r: displacement(&position, &site.position, &shift),
+                    distance_squared: pairs.distance_squared[i],
+                    zeta: pairs.shapes(i, W::NEEDS),
+                };
+                let l = shown.splat::<Lanes<S, L>>();
+                law.pair(&k, &l, &apart, &mut to_k, &mut discarded);
+            }
         }
     }
     *sums = to_k;

@@ -12,6 +12,7 @@
 use super::kernel::{Kernel, Operands, Receivers};
 use super::law::{Fields, Law, Settled};
 use super::mirror::mirror_terms;
+use crate::cutoff::PairBlock;
 use crate::neighbours::{Cells, Run};
 use crate::scalar::{Lanes, Scalar};
 
@@ -88,6 +89,7 @@ pub fn lanes<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>
     list: &mut impl List,
     fresh: bool,
 ) -> bool {
+    let mut pairs = PairBlock::zero();
     let mut word = 0;
     let end = first + settled.len();
     for block in Blocks::<S, D, L>::new(cells, first, end) {
@@ -110,6 +112,7 @@ pub fn lanes<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>
                 block.start,
                 &receivers,
                 candidates,
+                &mut pairs,
                 settled,
             );
         }
@@ -145,6 +148,7 @@ fn settle<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
     start: usize,
     receivers: &Receivers<S, D, L>,
     candidates: &[u32],
+    pairs: &mut PairBlock<Lanes<S, L>>,
     settled: &mut [Settled<W::Node, W::Sums>],
 ) {
     let near_wall = |place| cells.grid().near_wall(&cells.cell(place));
@@ -162,7 +166,7 @@ fn settle<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
             candidates,
         };
         let mut sums = W::Sums::ZERO.splat::<Lanes<S, L>>();
-        K::sum::<S, D, L, W>(law, cells, nodes, &operands, &mut sums);
+        K::sum::<S, D, L, W>(law, cells, nodes, &operands, pairs, &mut sums);
         let mut all_done = true;
         for (i, (done, settled)) in done.iter_mut().zip(settled.iter_mut()).enumerate() {
             if *done {

@@ -1,5 +1,6 @@
 //! What an equation has to say.
 
+use crate::cutoff::{CutOff, Needs, Shapes};
 use crate::domain::Wall;
 use crate::scalar::{Number, Scalar};
 
@@ -117,6 +118,35 @@ macro_rules! record {
     };
 }
 
+/// What lies between the particles of a pair.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Separation<N, const D: usize> {
+    /// `r = x_k - x_l`.
+    pub r: [N; D],
+    /// `|r|²`.
+    pub distance_squared: N,
+    /// The cut-off: what [`Law::NEEDS`] asks for.
+    pub zeta: Shapes<N>,
+}
+
+impl<S: Scalar, const D: usize> Separation<S, D> {
+    /// Of two particles met one by one, `r` apart.
+    #[inline(always)]
+    pub fn of<W: Law<S, D>>(
+        law: &W,
+        [k, l]: [&<W::Node as Fields<S>>::Of<S>; 2],
+        r: [S; D],
+        distance_squared: S,
+    ) -> Self {
+        let scales = [law.scale::<S>(k), law.scale::<S>(l)];
+        Self {
+            r,
+            distance_squared,
+            zeta: Shapes::of::<W::CutOff, D>(law.cut_off(), W::NEEDS, distance_squared, scales),
+        }
+    }
+}
+
 /// An equation: a sum over partners of a pair term.
 ///
 /// It has no storage, no threads and no loop over neighbours. Everything is indexed as in
@@ -126,6 +156,16 @@ pub trait Law<S: Scalar, const D: usize>: Sync {
     type Node: Fields<S>;
     /// What it receives.
     type Sums: Fields<S>;
+    /// The cut-off of its sums.
+    type CutOff: CutOff;
+    /// What it reads of the cut-off.
+    const NEEDS: Needs;
+
+    /// The cut-off.
+    fn cut_off(&self) -> Self::CutOff;
+
+    /// A particle's part of the argument of the cut-off: see [`CutOff::scale`].
+    fn scale<N: Number<Scalar = S>>(&self, node: &<Self::Node as Fields<S>>::Of<N>) -> N;
 
     /// Adds the term of the pair to both of its particles.
     ///
@@ -137,8 +177,7 @@ pub trait Law<S: Scalar, const D: usize>: Sync {
         &self,
         k: &<Self::Node as Fields<S>>::Of<N>,
         l: &<Self::Node as Fields<S>>::Of<N>,
-        r: &[N; D],
-        distance_squared: N,
+        apart: &Separation<N, D>,
         to_k: &mut <Self::Sums as Fields<S>>::Of<N>,
         to_l: &mut <Self::Sums as Fields<S>>::Of<N>,
     );

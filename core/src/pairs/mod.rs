@@ -19,5 +19,5 @@ pub use engine::{Engine, HalfLoop, PlainLoop};
 pub use half::half;
 pub use kernel::{Kernel, Operands, Portable, Receivers, find, sum};
 pub use lanes::{Block, Blocks, List, lanes};
-pub use law::{Fields, Law, Settled};
+pub use law::{Fields, Law, Separation, Settled};
 pub use plain::{plain, receive_at};

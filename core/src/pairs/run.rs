@@ -1,6 +1,6 @@
 //! The terms of one run on one receiver.
 
-use super::law::{Fields, Law};
+use super::law::{Fields, Law, Separation};
 use crate::domain::{Offset, Wall};
 use crate::neighbours::{Cells, Run, Site, code};
 use crate::scalar::{Number, Scalar};
@@ -31,7 +31,8 @@ pub(super) fn run_terms<S: Scalar, const D: usize, W: Law<S, D>>(
         let distance_squared = S::length_squared(&r);
         if distance_squared < Number::max(site.reach_squared, partner.reach_squared) {
             let l = image_of(law, shown, &run.image.0, &offsets).splat::<S>();
-            law.pair(&k, &l, &r, distance_squared, sums, &mut discarded);
+            let apart = Separation::of(law, [&k, &l], r, distance_squared);
+            law.pair(&k, &l, &apart, sums, &mut discarded);
         }
     }
 }

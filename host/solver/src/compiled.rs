@@ -33,19 +33,11 @@ pub struct Compiled {
 }
 
 impl Compiled {
-    /// With the usual cut-offs compiled into the loops, and every system.
-    pub const fn fast<S: HostScalar>() -> Self {
-        Self {
-            gas: simulation::in_floats::<S>,
-            linear: linear::in_floats::<S>,
-        }
-    }
-
-    /// With cut-offs that are looked up for each pair, and the systems that a device may want.
-    pub const fn small<S: HostScalar>() -> Self {
+    /// All of them.
+    pub const fn new<S: HostScalar>() -> Self {
         Self {
             gas: simulation::in_dimensions::<S>,
-            linear: linear::in_fixed_point::<S>,
+            linear: linear::in_dimensions::<S>,
         }
     }
 }

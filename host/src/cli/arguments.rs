@@ -119,9 +119,9 @@ pub(super) struct SuiteArguments {
 pub(super) const SUITE_FOLDER: &str = "out/suite";
 
 /// The formats of the suite that this build has.
-#[cfg(feature = "every-scalar")]
+#[cfg(feature = "fixed-point")]
 pub(super) const SUITE_SCALARS: &str = "f64,f32,q12.19";
-#[cfg(not(feature = "every-scalar"))]
+#[cfg(not(feature = "fixed-point"))]
 pub(super) const SUITE_SCALARS: &str = "f64,f32";
 
 #[derive(Args)]

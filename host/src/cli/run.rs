@@ -162,8 +162,7 @@ pub(super) fn linear_failure(error: LinearError) -> Failure {
         | LinearError::Solution(_)
         | LinearError::Symmetriser(_)
         | LinearError::Width { .. }
-        | LinearError::Step { .. }
-        | LinearError::NoFixedPoint { .. } => Failure::Input(error.into()),
+        | LinearError::Step { .. } => Failure::Input(error.into()),
     }
 }
 

@@ -1,8 +1,8 @@
 //! The direct form (4.6): one symmetric pair operator.
 
-use crate::cutoff::CutOff;
+use crate::cutoff::{CutOff, Needs, Parts, Shapes, Widths};
 use crate::domain::Wall;
-use crate::pairs::Law;
+use crate::pairs::{Law, Separation};
 use crate::scalar::{Number, Scalar};
 
 use super::dynamics::Mean;
@@ -56,7 +56,13 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Direct<S, C, D, P> {
 
     /// What the term of a node on itself adds to its `radius`, to the last bit.
     pub(super) fn own_radius(&self) -> impl Fn(&DiffusionNode<S, D, P>) -> S {
-        let size = self.size(self.bracket(&[S::ZERO; D], S::ZERO).0);
+        let scales = [self.scale; 2];
+        let apart = Separation {
+            r: [S::ZERO; D],
+            distance_squared: S::ZERO,
+            zeta: Shapes::of::<C, D>(self.cut_off, Self::NEEDS, S::ZERO, scales),
+        };
+        let size = self.size(self.bracket(&apart));
         let mean = self.mean;
         move |node| {
             let twice = node.diffusivity.map(|b| mean.twice(b, b));
@@ -64,12 +70,11 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Direct<S, C, D, P> {
         }
     }
 
-    /// The bracket of (4.6) times ε², and the argument of the cut-off.
+    /// The bracket of (4.6) times ε².
     #[inline(always)]
-    fn bracket<N: Number<Scalar = S>>(&self, r: &[N; D], distance_squared: N) -> (N, N) {
-        let a = self.cut_off.argument(distance_squared) * N::splat(self.scale);
-        let bracket = -(N::splat(self.height) * self.cut_off.gradient::<D, N>(a));
-        (bracket * self.share(r, distance_squared), a)
+    fn bracket<N: Number<Scalar = S>>(&self, apart: &Separation<N, D>) -> N {
+        let bracket = -(N::splat(self.height) * apart.zeta.k.gradient);
+        bracket * self.share(&apart.r, apart.distance_squared)
     }
 
     /// From order 4 on, and with a tensor, the bracket has both signs.
@@ -82,18 +87,31 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Direct<S, C, D, P> {
 impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Direct<S, C, D, P> {
     type Node = DiffusionNode<S, D, P>;
     type Sums = DiffusionSums<S, P>;
+    type CutOff = C;
+    const NEEDS: Needs = Needs {
+        parts: Parts::Gradient,
+        widths: Widths::Equal,
+        distance: false,
+    };
+
+    fn cut_off(&self) -> C {
+        self.cut_off
+    }
+    #[inline(always)]
+    fn scale<N: Number<Scalar = S>>(&self, _: &DiffusionNode<N, D, P>) -> N {
+        N::splat(self.scale)
+    }
 
     #[inline(always)]
     fn pair<N: Number<Scalar = S>>(
         &self,
         k: &DiffusionNode<N, D, P>,
         l: &DiffusionNode<N, D, P>,
-        r: &[N; D],
-        distance_squared: N,
+        apart: &Separation<N, D>,
         to_k: &mut DiffusionSums<N, P>,
         to_l: &mut DiffusionSums<N, P>,
     ) {
-        let (bracket, a) = self.bracket(r, distance_squared);
+        let bracket = self.bracket(apart);
         let factor = (k.weight * l.weight) * bracket;
         let mut largest = N::zero();
         for j in 0..P {
@@ -106,9 +124,8 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Direct<
         let size = self.size(bracket) * largest;
         to_k.radius += l.weight * size;
         to_l.radius += k.weight * size;
-        let near = a.below(N::splat(self.cut_off.edge()));
-        to_k.partners += near;
-        to_l.partners += near;
+        to_k.partners += apart.zeta.k.within;
+        to_l.partners += apart.zeta.k.within;
     }
 
     fn reflected(&self, node: &DiffusionNode<S, D, P>, wall: &Wall<S>) -> DiffusionNode<S, D, P> {

@@ -7,11 +7,11 @@ use super::node::{DiffusionNode, DiffusionSums};
 use super::problem::DiffusionProblem;
 use super::storage::DiffusionWorkspace;
 use super::wall::Condition;
-use crate::cutoff::CutOff;
+use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
 use crate::error::Error;
 use crate::neighbours::{Site, sort};
-use crate::pairs::{Fields, Law, Settled, receive_at};
+use crate::pairs::{Fields, Law, Separation, Settled, receive_at};
 use crate::scalar::{Number, Scalar};
 
 /// (1.13): `u_h^ε(x) = Σ_l w_l u_l ζ_ε(x - x_l)`.
@@ -32,19 +32,31 @@ where
 {
     type Node = DiffusionNode<S, D, P>;
     type Sums = DiffusionSums<S, P>;
+    type CutOff = C;
+    const NEEDS: Needs = Needs {
+        parts: Parts::Value,
+        widths: Widths::Equal,
+        distance: false,
+    };
+
+    fn cut_off(&self) -> C {
+        self.cut_off
+    }
+    #[inline(always)]
+    fn scale<N: Number<Scalar = S>>(&self, _: &DiffusionNode<N, D, P>) -> N {
+        N::splat(self.scale)
+    }
 
     #[inline(always)]
     fn pair<N: Number<Scalar = S>>(
         &self,
         k: &DiffusionNode<N, D, P>,
         l: &DiffusionNode<N, D, P>,
-        _: &[N; D],
-        distance_squared: N,
+        apart: &Separation<N, D>,
         to_k: &mut DiffusionSums<N, P>,
         to_l: &mut DiffusionSums<N, P>,
     ) {
-        let a = self.cut_off.argument(distance_squared) * N::splat(self.scale);
-        let height = N::splat(self.height) * self.cut_off.value::<D, N>(a);
+        let height = N::splat(self.height) * apart.zeta.k.value;
         for j in 0..P {
             to_k.rate[j] += (l.weight * height) * l.value[j];
             to_l.rate[j] += (k.weight * height) * k.value[j];

@@ -18,8 +18,8 @@
 //! order of the format's rounding (ε), or of the square of the step (Ω). Each particle
 //! iterates on its own, so the bits do not depend on who shares its loop.
 
-use crate::cutoff::CutOff;
-use crate::pairs::Law;
+use crate::cutoff::{CutOff, Needs, Parts, Shape, Widths};
+use crate::pairs::{Law, Separation};
 use crate::record;
 use crate::scalar::{Number, Scalar};
 
@@ -136,24 +136,19 @@ impl<S: Scalar, C: CutOff, const D: usize> Density<S, C, D> {
         }
     }
 
-    /// The term of a partner of that measure on a particle of that scale.
+    /// The term of a partner of that measure, seen at a particle's own width.
     #[inline(always)]
     fn term<N: Number<Scalar = S>>(
-        &self,
-        scale: N,
+        zeta: &Shape<N>,
         measure: N,
-        distance: N,
         distance_squared: N,
         to: &mut DensitySums<N, D>,
     ) {
-        let q = distance * scale;
-        let gradient = self.cut_off.gradient::<D, N>(q);
-        let curvature = self.cut_off.curvature::<D, N>(q);
         let spread = measure * distance_squared;
-        to.value += measure * self.cut_off.value::<D, N>(q);
-        to.first += spread * gradient;
-        to.second += spread * (gradient + curvature);
-        to.partners += q.below(N::splat(self.cut_off.edge()));
+        to.value += measure * zeta.value;
+        to.first += spread * zeta.gradient;
+        to.second += spread * (zeta.gradient + zeta.curvature);
+        to.partners += zeta.within;
     }
 
     /// One step of the iteration; `true` when the node holds the result, or needs other
@@ -212,20 +207,33 @@ impl<S: Scalar, C: CutOff, const D: usize> Density<S, C, D> {
 impl<S: Scalar, C: CutOff, const D: usize> Law<S, D> for Density<S, C, D> {
     type Node = DensityNode<S, D>;
     type Sums = DensitySums<S, D>;
+    type CutOff = C;
+    const NEEDS: Needs = Needs {
+        parts: Parts::All,
+        widths: Widths::Own,
+        distance: false,
+    };
+
+    fn cut_off(&self) -> C {
+        self.cut_off
+    }
+    #[inline(always)]
+    fn scale<N: Number<Scalar = S>>(&self, node: &DensityNode<N, D>) -> N {
+        node.scale
+    }
 
     #[inline(always)]
     fn pair<N: Number<Scalar = S>>(
         &self,
         k: &DensityNode<N, D>,
         l: &DensityNode<N, D>,
-        _: &[N; D],
-        distance_squared: N,
+        apart: &Separation<N, D>,
         to_k: &mut DensitySums<N, D>,
         to_l: &mut DensitySums<N, D>,
     ) {
-        let distance = self.cut_off.argument(distance_squared);
-        self.term(k.scale, l.measure, distance, distance_squared, to_k);
-        self.term(l.scale, k.measure, distance, distance_squared, to_l);
+        let (zeta, squared) = (&apart.zeta, apart.distance_squared);
+        Self::term(&zeta.k, l.measure, squared, to_k);
+        Self::term(&zeta.l, k.measure, squared, to_l);
     }
 
     fn close(&self, node: &mut DensityNode<S, D>, sums: &DensitySums<S, D>) -> bool {

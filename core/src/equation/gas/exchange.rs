@@ -18,9 +18,9 @@
 //!
 //! [`Options`]: super::Options
 
-use crate::cutoff::CutOff;
+use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
-use crate::pairs::Law;
+use crate::pairs::{Law, Separation};
 use crate::record;
 use crate::scalar::{Number, Scalar};
 
@@ -204,21 +204,38 @@ impl<S: Scalar, C: CutOff, V: Viscosity<S>> Exchange<C, V, S> {
 impl<S: Scalar, C: CutOff, V: Viscosity<S>, const D: usize> Law<S, D> for Exchange<C, V, S> {
     type Node = ExchangeNode<S, D>;
     type Sums = ExchangeSums<S, D>;
+    type CutOff = C;
+    const NEEDS: Needs = Needs {
+        parts: Parts::Gradient,
+        widths: Widths::Both,
+        distance: true,
+    };
+
+    fn cut_off(&self) -> C {
+        self.cut_off
+    }
+    #[inline(always)]
+    fn scale<N: Number<Scalar = S>>(&self, node: &ExchangeNode<N, D>) -> N {
+        node.scale
+    }
 
     #[inline(always)]
     fn pair<N: Number<Scalar = S>>(
         &self,
         k: &ExchangeNode<N, D>,
         l: &ExchangeNode<N, D>,
-        r: &[N; D],
-        distance_squared: N,
+        apart: &Separation<N, D>,
         to_k: &mut ExchangeSums<N, D>,
         to_l: &mut ExchangeSums<N, D>,
     ) {
         let half = N::literal(0.5);
-        let a = self.cut_off.argument(distance_squared);
-        let g_k = k.gradient * self.cut_off.gradient::<D, N>(a * k.scale);
-        let g_l = l.gradient * self.cut_off.gradient::<D, N>(a * l.scale);
+        let Separation {
+            r,
+            distance_squared,
+            zeta,
+        } = apart;
+        let g_k = k.gradient * zeta.k.gradient;
+        let g_l = l.gradient * zeta.l.gradient;
         let g = half * (g_k + g_l);
 
         let mut u = [N::zero(); D];
@@ -226,13 +243,13 @@ impl<S: Scalar, C: CutOff, V: Viscosity<S>, const D: usize> Law<S, D> for Exchan
             u[i] = k.velocity[i] - l.velocity[i];
         }
         let approach = N::dot(&u, r);
-        let distance = distance_squared.sqrt();
+        let distance = zeta.distance;
         let floored = distance.max(N::literal(TINY));
         let speed = approach / floored;
         let limited = self.reconstructed(k, l, r, approach);
         let artificial = self.viscosity.pair(&Pair {
             approach: limited,
-            distance_squared,
+            distance_squared: *distance_squared,
             speed: limited / floored,
             sound_speeds: k.sound_speed + l.sound_speed,
             densities: k.density + l.density,

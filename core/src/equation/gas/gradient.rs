@@ -7,9 +7,9 @@
 //! weights and any cloud give the exact gradient of a linear field (Lanson & Vila, SIAM J.
 //! Numer. Anal. 46, 1912, 2008).
 
-use crate::cutoff::CutOff;
+use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
-use crate::pairs::Law;
+use crate::pairs::{Law, Separation};
 use crate::record;
 use crate::scalar::{Number, Scalar};
 
@@ -52,20 +52,33 @@ pub struct Gradient<C> {
 impl<S: Scalar, C: CutOff, const D: usize> Law<S, D> for Gradient<C> {
     type Node = GradientNode<S, D>;
     type Sums = GradientSums<S, D>;
+    type CutOff = C;
+    const NEEDS: Needs = Needs {
+        parts: Parts::Gradient,
+        widths: Widths::Own,
+        distance: false,
+    };
+
+    fn cut_off(&self) -> C {
+        self.cut_off
+    }
+    #[inline(always)]
+    fn scale<N: Number<Scalar = S>>(&self, node: &GradientNode<N, D>) -> N {
+        node.scale
+    }
 
     #[inline(always)]
     fn pair<N: Number<Scalar = S>>(
         &self,
         k: &GradientNode<N, D>,
         l: &GradientNode<N, D>,
-        r: &[N; D],
-        distance_squared: N,
+        apart: &Separation<N, D>,
         to_k: &mut GradientSums<N, D>,
         to_l: &mut GradientSums<N, D>,
     ) {
-        let a = self.cut_off.argument(distance_squared);
-        let f_k = l.measure * self.cut_off.gradient::<D, N>(a * k.scale);
-        let f_l = k.measure * self.cut_off.gradient::<D, N>(a * l.scale);
+        let Separation { r, zeta, .. } = apart;
+        let f_k = l.measure * zeta.k.gradient;
+        let f_l = k.measure * zeta.l.gradient;
         let e = k.energy - l.energy;
         for i in 0..D {
             let er = e * r[i];

@@ -4,9 +4,9 @@
 //! carry both masses and are exactly opposite, so in fixed point the momentum rates of a
 //! free cloud sum to 0.
 
-use crate::cutoff::CutOff;
+use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
-use crate::pairs::Law;
+use crate::pairs::{Law, Separation};
 use crate::record;
 use crate::scalar::{Number, Scalar};
 
@@ -64,20 +64,37 @@ pub struct Motion<C, V> {
 impl<S: Scalar, C: CutOff, V: Viscosity<S>, const D: usize> Law<S, D> for Motion<C, V> {
     type Node = GasNode<S, D>;
     type Sums = GasSums<S, D>;
+    type CutOff = C;
+    const NEEDS: Needs = Needs {
+        parts: Parts::Gradient,
+        widths: Widths::Both,
+        distance: true,
+    };
+
+    fn cut_off(&self) -> C {
+        self.cut_off
+    }
+    #[inline(always)]
+    fn scale<N: Number<Scalar = S>>(&self, node: &GasNode<N, D>) -> N {
+        node.scale
+    }
 
     #[inline(always)]
     fn pair<N: Number<Scalar = S>>(
         &self,
         k: &GasNode<N, D>,
         l: &GasNode<N, D>,
-        r: &[N; D],
-        distance_squared: N,
+        apart: &Separation<N, D>,
         to_k: &mut GasSums<N, D>,
         to_l: &mut GasSums<N, D>,
     ) {
-        let a = self.cut_off.argument(distance_squared);
-        let g_k = k.gradient * self.cut_off.gradient::<D, N>(a * k.scale);
-        let g_l = l.gradient * self.cut_off.gradient::<D, N>(a * l.scale);
+        let Separation {
+            r,
+            distance_squared,
+            zeta,
+        } = apart;
+        let g_k = k.gradient * zeta.k.gradient;
+        let g_l = l.gradient * zeta.l.gradient;
         let g = N::literal(0.5) * (g_k + g_l);
 
         let mut u = [N::zero(); D];
@@ -86,10 +103,10 @@ impl<S: Scalar, C: CutOff, V: Viscosity<S>, const D: usize> Law<S, D> for Motion
         }
         let approach = N::dot(&u, r);
         // The floor is below any distance that matters; at r = 0 the approach is 0 too.
-        let speed = approach / distance_squared.sqrt().max(N::literal(1.0 / 65536.0));
+        let speed = approach / zeta.distance.max(N::literal(1.0 / 65536.0));
         let pi = self.viscosity.pair(&Pair {
             approach,
-            distance_squared,
+            distance_squared: *distance_squared,
             speed,
             sound_speeds: k.sound_speed + l.sound_speed,
             densities: k.density + l.density,

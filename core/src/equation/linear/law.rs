@@ -1,8 +1,8 @@
 //! The pair term of (1.18).
 
-use crate::cutoff::CutOff;
+use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
-use crate::pairs::{Fields, Law};
+use crate::pairs::{Fields, Law, Separation};
 use crate::scalar::{Number, Scalar};
 
 use super::system::FirstOrderSystem;
@@ -162,19 +162,32 @@ where
 {
     type Node = SystemNode<S, F::Medium, D, P>;
     type Sums = SystemSums<S, P>;
+    type CutOff = C;
+    const NEEDS: Needs = Needs {
+        parts: Parts::Gradient,
+        widths: Widths::Equal,
+        distance: false,
+    };
+
+    fn cut_off(&self) -> C {
+        self.cut_off
+    }
+    #[inline(always)]
+    fn scale<N: Number<Scalar = S>>(&self, _: &<Self::Node as Fields<S>>::Of<N>) -> N {
+        N::splat(self.scale)
+    }
 
     #[inline(always)]
     fn pair<N: Number<Scalar = S>>(
         &self,
         k: &<Self::Node as Fields<S>>::Of<N>,
         l: &<Self::Node as Fields<S>>::Of<N>,
-        r: &[N; D],
-        distance_squared: N,
+        apart: &Separation<N, D>,
         to_k: &mut SystemSums<N, P>,
         to_l: &mut SystemSums<N, P>,
     ) {
-        let a = self.cut_off.argument(distance_squared) * N::splat(self.scale);
-        let gradient = N::splat(self.height) * self.cut_off.gradient::<D, N>(a);
+        let Separation { r, zeta, .. } = apart;
+        let gradient = N::splat(self.height) * zeta.k.gradient;
         let factor = (k.weight * l.weight) * gradient;
         let mut n = *r;
         for i in 0..D {
@@ -202,9 +215,8 @@ where
             to_k.rate[j] -= term;
             to_l.rate[j] += term;
         }
-        let near = a.below(N::splat(self.cut_off.edge()));
-        to_k.partners += near;
-        to_l.partners += near;
+        to_k.partners += zeta.k.within;
+        to_l.partners += zeta.k.within;
     }
 
     fn reflected(&self, node: &Self::Node, wall: &Wall<S>) -> Self::Node {

@@ -1,10 +1,10 @@
 //! The field that a cloud of strengths stands for, at any points: (1.13).
 
-use crate::cutoff::CutOff;
+use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
 use crate::error::Error;
 use crate::neighbours::{Site, sort};
-use crate::pairs::{Fields, Law, Settled, receive_at};
+use crate::pairs::{Fields, Law, Separation, Settled, receive_at};
 use crate::scalar::{Number, Scalar};
 
 use super::dynamics::LinearDynamics;
@@ -33,19 +33,31 @@ where
 {
     type Node = SystemNode<S, F::Medium, D, P>;
     type Sums = SystemSums<S, P>;
+    type CutOff = C;
+    const NEEDS: Needs = Needs {
+        parts: Parts::Value,
+        widths: Widths::Equal,
+        distance: false,
+    };
+
+    fn cut_off(&self) -> C {
+        self.cut_off
+    }
+    #[inline(always)]
+    fn scale<N: Number<Scalar = S>>(&self, _: &<Self::Node as Fields<S>>::Of<N>) -> N {
+        N::splat(self.scale)
+    }
 
     #[inline(always)]
     fn pair<N: Number<Scalar = S>>(
         &self,
         k: &<Self::Node as Fields<S>>::Of<N>,
         l: &<Self::Node as Fields<S>>::Of<N>,
-        _: &[N; D],
-        distance_squared: N,
+        apart: &Separation<N, D>,
         to_k: &mut SystemSums<N, P>,
         to_l: &mut SystemSums<N, P>,
     ) {
-        let a = self.cut_off.argument(distance_squared) * N::splat(self.scale);
-        let height = N::splat(self.height) * self.cut_off.value::<D, N>(a);
+        let height = N::splat(self.height) * apart.zeta.k.value;
         for j in 0..P {
             to_k.rate[j] += (l.weight * height) * l.value[j];
             to_l.rate[j] += (k.weight * height) * k.value[j];

@@ -3,4 +3,4 @@
 use motes_solver::compiled::Compiled;
 
 /// IEEE single precision.
-pub static F32: Compiled = Compiled::fast::<f32>();
+pub static F32: Compiled = Compiled::new::<f32>();

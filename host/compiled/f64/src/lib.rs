@@ -3,4 +3,4 @@
 use motes_solver::compiled::Compiled;
 
 /// IEEE double precision.
-pub static F64: Compiled = Compiled::fast::<f64>();
+pub static F64: Compiled = Compiled::new::<f64>();

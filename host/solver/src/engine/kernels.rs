@@ -7,6 +7,7 @@
 //! asks the processor.
 #![allow(unsafe_code)]
 
+use motes_core::cutoff::{CutOff, Needs, PairBlock};
 use motes_core::neighbours::{Cells, Runs};
 #[cfg(not(target_arch = "x86_64"))]
 use motes_core::pairs::Portable;
@@ -41,11 +42,33 @@ macro_rules! kernel {
                 unsafe { compiled(cells, receivers, runs, words) }
             }
 
+            fn shapes<S: Scalar, C: CutOff, const D: usize, const L: usize>(
+                cut_off: C,
+                needs: Needs,
+                scale: &Lanes<S, L>,
+                count: usize,
+                pairs: &mut PairBlock<Lanes<S, L>>,
+            ) {
+                #[target_feature(enable = $features)]
+                fn compiled<S: Scalar, C: CutOff, const D: usize, const L: usize>(
+                    cut_off: C,
+                    needs: Needs,
+                    scale: &Lanes<S, L>,
+                    count: usize,
+                    pairs: &mut PairBlock<Lanes<S, L>>,
+                ) {
+                    cut_off.shapes::<D, _>(needs, *scale, count, pairs);
+                }
+                // Safety: as above.
+                unsafe { compiled::<S, C, D, L>(cut_off, needs, scale, count, pairs) }
+            }
+
             fn sum<S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
                 law: &W,
                 cells: &Cells<'_, S, D>,
                 nodes: &[W::Node],
                 block: &Operands<'_, S, D, L, W>,
+                pairs: &mut PairBlock<Lanes<S, L>>,
                 sums: &mut <W::Sums as Fields<S>>::Of<Lanes<S, L>>,
             ) {
                 #[target_feature(enable = $features)]
@@ -54,12 +77,13 @@ macro_rules! kernel {
                     cells: &Cells<'_, S, D>,
                     nodes: &[W::Node],
                     block: &Operands<'_, S, D, L, W>,
+                    pairs: &mut PairBlock<Lanes<S, L>>,
                     sums: &mut <W::Sums as Fields<S>>::Of<Lanes<S, L>>,
                 ) {
-                    sum(law, cells, nodes, block, sums);
+                    sum::<$name, S, D, L, W>(law, cells, nodes, block, pairs, sums);
                 }
                 // Safety: as above.
-                unsafe { compiled(law, cells, nodes, block, sums) }
+                unsafe { compiled(law, cells, nodes, block, pairs, sums) }
             }
         }
     };

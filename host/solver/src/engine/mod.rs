@@ -85,6 +85,16 @@ impl Threads {
     pub fn threads(&self) -> usize {
         self.pool.current_num_threads()
     }
+
+    /// Receivers of a task where there are so many in all.
+    fn task_length(&self, receivers: usize) -> usize {
+        // Several tasks a thread: the ranges are not equally much work.
+        let even = receivers.div_ceil(4 * self.threads());
+        match self.threads() {
+            1 => receivers.max(1),
+            _ => even.max(SMALLEST_TASK),
+        }
+    }
 }
 
 impl<S: HostScalar, const D: usize> Engine<S, D> for Threads {
@@ -99,30 +109,22 @@ impl<S: HostScalar, const D: usize> Engine<S, D> for Threads {
         nodes: &[W::Node],
         settled: &mut [Settled<W::Node, W::Sums>],
     ) -> Result<(), Error> {
-        let threads = self.pool.current_num_threads();
-        // Several tasks a thread: the ranges are not equally much work.
-        let task = nodes.len().div_ceil(4 * threads).max(SMALLEST_TASK);
+        let task = self.task_length(nodes.len());
         let fresh = std::mem::replace(&mut self.fresh, false);
         self.lists
             .resize_with(nodes.len().div_ceil(task), GrowingList::default);
         let set = self.instruction_set;
-        let run = |(i, (settled, list)): (usize, (&mut [_], &mut GrowingList))| {
-            if fresh {
-                list.clear();
-            }
-            S::sweep(set, law, cells, nodes, i * task, settled, list, fresh)
-        };
-        let complete = if threads == 1 {
-            let mut tasks = settled.chunks_mut(task).zip(&mut self.lists).enumerate();
-            tasks.all(run)
-        } else {
-            let tasks = settled
-                .par_chunks_mut(task)
-                .zip(&mut self.lists)
-                .enumerate();
-            self.pool
-                .install(|| tasks.map(run).reduce(|| true, |a, b| a && b))
-        };
+        let ranges = settled.chunks_mut(task).zip(&mut self.lists);
+        let tasks = ranges.enumerate().map(|(i, (settled, list))| {
+            let run = move || {
+                if fresh {
+                    list.clear();
+                }
+                S::sweep(set, law, cells, nodes, i * task, settled, list, fresh)
+            };
+            Box::new(run) as Task<'_>
+        });
+        let complete = carry_out(&self.pool, tasks.collect());
         let particles = nodes.len() as u32;
         let full = Error::Capacity {
             container: Container::Candidates,
@@ -131,6 +133,23 @@ impl<S: HostScalar, const D: usize> Engine<S, D> for Threads {
         };
         if complete { Ok(()) } else { Err(full) }
     }
+}
+
+/// A range of receivers; `false` where its memory is full.
+///
+/// Boxed, so that the code that hands tasks to threads exists once, and not for each law.
+type Task<'a> = Box<dyn FnOnce() -> bool + Send + 'a>;
+
+/// Carries tasks out, each on some thread; `true` if all are complete. A task that is alone is
+/// done here: waking a thread takes longer than many a task.
+fn carry_out(pool: &rayon::ThreadPool, tasks: Vec<Task<'_>>) -> bool {
+    if tasks.len() == 1 || pool.current_num_threads() == 1 {
+        return tasks.into_iter().all(|task| task());
+    }
+    pool.install(|| {
+        let done = tasks.into_par_iter().map(|task| task());
+        done.reduce(|| true, |a, b| a && b)
+    })
 }
 
 /// Threads over the plain loop: for scalars that lanes do not speed up.

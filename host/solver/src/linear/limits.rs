@@ -77,18 +77,4 @@ pub enum LinearError {
         /// When.
         time: f64,
     },
-    /// A system that is not compiled for fixed point.
-    #[error("{system} in dimension {dimension} does not run in `{scalar}`")]
-    #[diagnostic(help(
-        "fixed point is for transport, acoustics, telegraph and convection-diffusion of one species, \
-         in one dimension; use f64 or f32"
-    ))]
-    NoFixedPoint {
-        /// The system.
-        system: &'static str,
-        /// Of the scenario.
-        dimension: usize,
-        /// The scalar.
-        scalar: String,
-    },
 }

@@ -17,7 +17,7 @@ mod solution;
 mod solver;
 mod systems;
 
-pub use choice::{in_fixed_point, in_floats};
+pub use choice::in_dimensions;
 pub use comparison::{RECONSTRUCTION, STATE, errors};
 pub use diffusion::Media;
 pub use doubts::{doubts, undamped};

@@ -8,11 +8,11 @@
 //! with this `n` for the concentration). Pushes are sums of pairs through the core's engine,
 //! in `f64` with `+ - * /` and square roots: the same bits everywhere.
 
-use motes_core::cutoff::{CutOff, WendlandC2};
+use motes_core::cutoff::{CutOff, Needs, Parts, WendlandC2, Widths};
 use motes_core::domain::{Axis, Domain};
 use motes_core::error::Error;
 use motes_core::neighbours::{CellBuffers, Site, cell_bound, sort};
-use motes_core::pairs::{Engine, Fields, HalfLoop, Law, Settled};
+use motes_core::pairs::{Engine, Fields, HalfLoop, Law, Separation, Settled};
 use motes_core::record;
 use motes_core::scalar::{Number, Scalar};
 
@@ -56,20 +56,31 @@ struct Repulsion;
 impl<S: Scalar, const D: usize> Law<S, D> for Repulsion {
     type Node = Presence<S, D>;
     type Sums = Pushes<S, D>;
+    type CutOff = WendlandC2;
+    const NEEDS: Needs = Needs {
+        parts: Parts::All,
+        widths: Widths::Equal,
+        distance: false,
+    };
 
+    fn cut_off(&self) -> WendlandC2 {
+        WendlandC2
+    }
+    #[inline(always)]
+    fn scale<N: Number<Scalar = S>>(&self, _: &Presence<N, D>) -> N {
+        N::literal(1.0 / EPSILON)
+    }
     #[inline(always)]
     fn pair<N: Number<Scalar = S>>(
         &self,
         k: &Presence<N, D>,
         l: &Presence<N, D>,
-        r: &[N; D],
-        distance_squared: N,
+        apart: &Separation<N, D>,
         to_k: &mut Pushes<N, D>,
         to_l: &mut Pushes<N, D>,
     ) {
-        let q = WendlandC2.argument(distance_squared) * N::literal(1.0 / EPSILON);
-        let value = WendlandC2.value::<D, N>(q);
-        let gradient = WendlandC2.gradient::<D, N>(q);
+        let Separation { r, zeta, .. } = apart;
+        let (value, gradient) = (zeta.k.value, zeta.k.gradient);
         to_k.crowd += l.number * value;
         to_l.crowd += k.number * value;
         for i in 0..D {

@@ -1,8 +1,4 @@
-//! From a plan to the code that runs it: dimension, cut-off and law.
-
-use motes_core::cutoff::{
-    CubicSpline, CutOff, Named as NamedCutOff, QuinticSpline, WendlandC2, WendlandC6,
-};
+//! From a plan to the code that runs it: dimension and law.
 
 use super::limits::RunError;
 use super::outcome::Outcome;
@@ -10,33 +6,7 @@ use super::plan::Plan;
 use super::run::{Control, run_with};
 use crate::engine::{HostScalar, Threads};
 
-/// The cut-offs that scenarios of each dimension use most are compiled into the loops, others
-/// are looked up for each pair: the same bits at less than half the speed.
-///
-/// # Errors
-/// What [`RunError`] lists.
-pub fn in_floats<S: HostScalar>(
-    plan: &Plan,
-    name: &str,
-    engine: &mut Threads,
-    control: &mut Control<'_>,
-) -> Result<Outcome, RunError> {
-    match (plan.dimension, plan.cut_off) {
-        (1, NamedCutOff::CubicSpline) => with::<S, _, 1>(CubicSpline, plan, name, engine, control),
-        (1, NamedCutOff::QuinticSpline) => {
-            with::<S, _, 1>(QuinticSpline, plan, name, engine, control)
-        }
-        (2, NamedCutOff::WendlandC2) => with::<S, _, 2>(WendlandC2, plan, name, engine, control),
-        (2, NamedCutOff::WendlandC6) => with::<S, _, 2>(WendlandC6, plan, name, engine, control),
-        (3, NamedCutOff::WendlandC2) => with::<S, _, 3>(WendlandC2, plan, name, engine, control),
-        (3, NamedCutOff::QuinticSpline) => {
-            with::<S, _, 3>(QuinticSpline, plan, name, engine, control)
-        }
-        _ => in_dimensions::<S>(plan, name, engine, control),
-    }
-}
-
-/// Every cut-off is looked up for each pair.
+/// Runs a plan in its dimension.
 ///
 /// # Errors
 /// What [`RunError`] lists.
@@ -47,19 +17,19 @@ pub fn in_dimensions<S: HostScalar>(
     control: &mut Control<'_>,
 ) -> Result<Outcome, RunError> {
     match plan.dimension {
-        1 => with::<S, _, 1>(plan.cut_off, plan, name, engine, control),
-        2 => with::<S, _, 2>(plan.cut_off, plan, name, engine, control),
-        _ => with::<S, _, 3>(plan.cut_off, plan, name, engine, control),
+        1 => with::<S, 1>(plan, name, engine, control),
+        2 => with::<S, 2>(plan, name, engine, control),
+        _ => with::<S, 3>(plan, name, engine, control),
     }
 }
 
-fn with<S: HostScalar, C: CutOff, const D: usize>(
-    cut_off: C,
+fn with<S: HostScalar, const D: usize>(
     plan: &Plan,
     name: &str,
     engine: &mut Threads,
     control: &mut Control<'_>,
 ) -> Result<Outcome, RunError> {
+    let cut_off = plan.cut_off;
     let (viscosity, options) = (plan.viscosity::<S>(), plan.options::<S, D>());
     if options.need_exchange() {
         run_with(plan, name, (cut_off, viscosity, options), engine, control)

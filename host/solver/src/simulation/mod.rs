@@ -10,7 +10,7 @@ mod planning;
 mod run;
 
 pub use arrays::GasArrays;
-pub use choice::{in_dimensions, in_floats};
+pub use choice::in_dimensions;
 pub use limits::RunError;
 pub(crate) use limits::{check_memory, check_numbers, check_step};
 pub use opening::{Incoming, OpenSides, OpenZone};

@@ -4,7 +4,7 @@ use motes_core::cutoff::{CubicSpline, CutOff};
 use motes_core::equation::gas::Diffusion;
 use motes_core::equation::gas::exchange::{Exchange, ExchangeNode, ExchangeSums, Sum};
 use motes_core::equation::gas::viscosity::Inviscid;
-use motes_core::pairs::{Fields, Law};
+use motes_core::pairs::{Fields, Law, Separation};
 
 type Node = ExchangeNode<f64, 2>;
 
@@ -44,7 +44,8 @@ fn heat(k: &Node, l: &Node, conduction: f64, heat: f64) -> [f64; 2] {
         sum: Sum::Forces,
     };
     let (mut to_k, mut to_l) = (ExchangeSums::ZERO, ExchangeSums::ZERO);
-    law.pair(k, l, &R, 1.0, &mut to_k, &mut to_l);
+    let apart = Separation::of(&law, [k, l], R, 1.0);
+    law.pair(k, l, &apart, &mut to_k, &mut to_l);
     [to_k.power, to_l.power]
 }
 

@@ -13,11 +13,13 @@ mod lanes;
 mod law;
 mod mirror;
 mod plain;
+mod record;
 mod run;
 
 pub use engine::{Engine, HalfLoop, PlainLoop};
 pub use half::half;
 pub use kernel::{Kernel, Operands, Portable, Receivers, find, sum};
 pub use lanes::{Block, Blocks, List, lanes};
-pub use law::{Fields, Law, Separation, Settled};
+pub use law::{Law, Separation, Settled};
 pub use plain::{plain, receive_at};
+pub use record::Fields;

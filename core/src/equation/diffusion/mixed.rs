@@ -2,29 +2,32 @@
 
 use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
-use crate::pairs::{Fields, Law, Separation};
+use crate::pairs::{Law, Separation};
+use crate::record;
 use crate::scalar::{Number, Scalar};
 
 use super::direct::imaged;
 use super::node::{DiffusionNode, DiffusionSums};
 use super::wall::Condition;
 
-/// What a particle shows in the second pass: also its flux.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MixedNode<N, const D: usize, const P: usize> {
-    /// As in the first pass.
-    pub node: DiffusionNode<N, D, P>,
-    /// `ε p = -ε b ∇u` of each species.
-    pub flux: [[N; D]; P],
+record! {
+    /// What a particle shows in the second pass: also its flux.
+    pub struct MixedNode<N, const D: usize, const P: usize> {
+        /// As in the first pass.
+        pub node: DiffusionNode<N, D, P>,
+        /// `ε p = -ε b ∇u` of each species.
+        pub flux: [[N; D]; P],
+    }
 }
 
-/// `Σ_l w_l (u_l - u_k) ε ∇ζ_kl`, and partners.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FluxSums<N, const D: usize, const P: usize> {
-    /// Of each species.
-    pub slope: [[N; D]; P],
-    /// Particles within the support, itself among them.
-    pub partners: N,
+record! {
+    /// `Σ_l w_l (u_l - u_k) ε ∇ζ_kl`, and partners.
+    pub struct FluxSums<N, const D: usize, const P: usize> {
+        /// Of each species.
+        pub slope: [[N; D]; P],
+        /// Particles within the support, itself among them.
+        pub partners: N,
+    }
 }
 
 /// The first pass of (4.3): `p_k = -b_k Σ_l w_l (u_l - u_k) ∇ζ_kl`.
@@ -183,104 +186,5 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Diverge
             }
         }
         image
-    }
-}
-
-/// The same in every lane. By index: a map in a map is copied through memory, lane by lane.
-#[inline(always)]
-fn splat<S: Scalar, N: Number<Scalar = S>, const D: usize, const P: usize>(
-    vectors: &[[S; D]; P],
-) -> [[N; D]; P] {
-    let mut lanes = [[N::zero(); D]; P];
-    for j in 0..P {
-        for i in 0..D {
-            lanes[j][i] = N::splat(vectors[j][i]);
-        }
-    }
-    lanes
-}
-
-impl<S: Scalar, const D: usize, const P: usize> Fields<S> for MixedNode<S, D, P> {
-    type Of<N: Number<Scalar = S>> = MixedNode<N, D, P>;
-    const ZERO: Self = Self {
-        node: DiffusionNode::ZERO,
-        flux: [[S::ZERO; D]; P],
-    };
-
-    #[inline(always)]
-    fn splat<N: Number<Scalar = S>>(&self) -> MixedNode<N, D, P> {
-        MixedNode {
-            node: self.node.splat(),
-            flux: splat(&self.flux),
-        }
-    }
-    #[inline(always)]
-    fn gather<'a, N: Number<Scalar = S>>(
-        records: impl Iterator<Item = &'a Self>,
-    ) -> MixedNode<N, D, P>
-    where
-        Self: 'a,
-    {
-        let mut of = Self::ZERO.splat::<N>();
-        // There are at most 16 lanes.
-        let mut nodes = [DiffusionNode::ZERO; 16];
-        for (i, (record, node)) in records.take(N::LANES).zip(&mut nodes).enumerate() {
-            *node = record.node;
-            for j in 0..P {
-                for m in 0..D {
-                    of.flux[j][m].set_lane(i, record.flux[j][m]);
-                }
-            }
-        }
-        of.node = DiffusionNode::gather(nodes.iter());
-        of
-    }
-    #[inline(always)]
-    fn lane<N: Number<Scalar = S>>(of: &MixedNode<N, D, P>, i: usize) -> Self {
-        Self {
-            node: DiffusionNode::lane(&of.node, i),
-            flux: core::array::from_fn(|j| core::array::from_fn(|m| of.flux[j][m].lane(i))),
-        }
-    }
-}
-
-impl<S: Scalar, const D: usize, const P: usize> Fields<S> for FluxSums<S, D, P> {
-    type Of<N: Number<Scalar = S>> = FluxSums<N, D, P>;
-    const ZERO: Self = Self {
-        slope: [[S::ZERO; D]; P],
-        partners: S::ZERO,
-    };
-
-    #[inline(always)]
-    fn splat<N: Number<Scalar = S>>(&self) -> FluxSums<N, D, P> {
-        FluxSums {
-            slope: splat(&self.slope),
-            partners: N::splat(self.partners),
-        }
-    }
-    #[inline(always)]
-    fn gather<'a, N: Number<Scalar = S>>(
-        records: impl Iterator<Item = &'a Self>,
-    ) -> FluxSums<N, D, P>
-    where
-        Self: 'a,
-    {
-        let mut of = Self::ZERO.splat::<N>();
-        for (i, record) in records.take(N::LANES).enumerate() {
-            of.partners.set_lane(i, record.partners);
-            for j in 0..P {
-                for m in 0..D {
-                    of.slope[j][m].set_lane(i, record.slope[j][m]);
-                }
-            }
-        }
-        of
-    }
-    #[inline(always)]
-    fn lane<N: Number<Scalar = S>>(of: &FluxSums<N, D, P>, i: usize) -> Self {
-        Self {
-            slope: core::array::from_fn(|j| core::array::from_fn(|m| of.slope[j][m].lane(i))),
-            partners: of.partners.lane(i),
-        }
     }
 }

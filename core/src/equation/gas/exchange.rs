@@ -58,7 +58,6 @@ record! {
         pub linear: N,
         /// Factor of Π, in [0, 1].
         pub factor: N,
-        ;
         /// Velocity `u` that forces depend on.
         pub velocity: [N; D],
         /// Velocity that does work; only in [`Sum::Work`].
@@ -67,7 +66,6 @@ record! {
         pub acceleration: [N; D],
         /// `∂e/∂x_j`; 0 where nothing is conducted.
         pub energy_slope: [N; D],
-        ;
         /// `∂u_i/∂x_j`; 0 where nothing is reconstructed.
         pub slope: [[N; D]; D],
     }
@@ -86,7 +84,6 @@ record! {
         pub power_slope: N,
         /// The fastest approach of a partner, along the line of centres; at least 0.
         pub approach: N,
-        ;
         /// `m_k du_k/dt`.
         pub force: [N; D],
     }

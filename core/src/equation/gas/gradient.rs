@@ -22,7 +22,6 @@ record! {
         pub scale: N,
         /// Internal energy `e`.
         pub energy: N,
-        ;
         /// Velocity `u`.
         pub velocity: [N; D],
     }
@@ -31,10 +30,8 @@ record! {
 record! {
     /// What it receives: `-M` and `-N`.
     pub struct GradientSums<N, const D: usize> {
-        ;
         /// `-Σ μ F (e_k-e_l) r`.
         pub energy: [N; D],
-        ;
         /// `-Σ μ F r ⊗ r`, positive definite where partners surround the particle.
         pub moments: [[N; D]; D],
         /// `-Σ μ F (u_k-u_l) ⊗ r`.

@@ -31,7 +31,6 @@ record! {
         pub density: N,
         /// ε.
         pub epsilon: N,
-        ;
         /// Velocity `u`.
         pub velocity: [N; D],
     }
@@ -46,7 +45,6 @@ record! {
         pub heating: N,
         /// The fastest approach of a partner, along the line of centres; at least 0.
         pub approach: N,
-        ;
         /// `m_k du_k/dt`.
         pub force: [N; D],
     }

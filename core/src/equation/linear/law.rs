@@ -3,120 +3,32 @@
 use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
 use crate::pairs::{Fields, Law, Separation};
+use crate::record;
 use crate::scalar::{Number, Scalar};
 
 use super::system::FirstOrderSystem;
 
-/// What a particle shows: over a number `N`, with the medium `M`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SystemNode<N, M, const D: usize, const P: usize> {
-    /// Weight `w`.
-    pub weight: N,
-    /// `v - a`: how fast the state moves through the particles.
-    pub drift: [N; D],
-    /// `u`.
-    pub value: [N; P],
-    /// What the coupling needs to know of the place.
-    pub medium: M,
-}
-
-impl<S: Scalar, M: Fields<S>, const D: usize, const P: usize> Fields<S> for SystemNode<S, M, D, P> {
-    type Of<N: Number<Scalar = S>> = SystemNode<N, M::Of<N>, D, P>;
-    const ZERO: Self = Self {
-        weight: S::ZERO,
-        drift: [S::ZERO; D],
-        value: [S::ZERO; P],
-        medium: M::ZERO,
-    };
-
-    #[inline(always)]
-    fn splat<N: Number<Scalar = S>>(&self) -> SystemNode<N, M::Of<N>, D, P> {
-        SystemNode {
-            weight: N::splat(self.weight),
-            drift: self.drift.map(N::splat),
-            value: self.value.map(N::splat),
-            medium: self.medium.splat(),
-        }
-    }
-    #[inline(always)]
-    fn gather<'a, N: Number<Scalar = S>>(
-        records: impl Iterator<Item = &'a Self>,
-    ) -> SystemNode<N, M::Of<N>, D, P>
-    where
-        Self: 'a,
-    {
-        let mut of = Self::ZERO.splat::<N>();
-        // Read twice: once for the numbers, once for the medium. There are at most 16 lanes.
-        let mut media = [M::ZERO; 16];
-        for (i, (record, medium)) in records.take(N::LANES).zip(&mut media).enumerate() {
-            of.weight.set_lane(i, record.weight);
-            for j in 0..D {
-                of.drift[j].set_lane(i, record.drift[j]);
-            }
-            for j in 0..P {
-                of.value[j].set_lane(i, record.value[j]);
-            }
-            *medium = record.medium;
-        }
-        of.medium = M::gather(media.iter());
-        of
-    }
-    #[inline(always)]
-    fn lane<N: Number<Scalar = S>>(of: &SystemNode<N, M::Of<N>, D, P>, i: usize) -> Self {
-        Self {
-            weight: of.weight.lane(i),
-            drift: core::array::from_fn(|j| of.drift[j].lane(i)),
-            value: core::array::from_fn(|j| of.value[j].lane(i)),
-            medium: M::lane(&of.medium, i),
-        }
+record! {
+    /// What a particle shows: over a number `N`, with the medium `M`.
+    pub struct SystemNode<N, M, const D: usize, const P: usize> {
+        /// Weight `w`.
+        pub weight: N,
+        /// `v - a`: how fast the state moves through the particles.
+        pub drift: [N; D],
+        /// `u`.
+        pub value: [N; P],
+        /// What the coupling needs to know of the place.
+        pub medium: M,
     }
 }
 
-/// What it receives.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SystemSums<N, const P: usize> {
-    /// `ε dq/dt` of the pairs.
-    pub rate: [N; P],
-    /// Particles within the support, itself among them.
-    pub partners: N,
-}
-
-impl<S: Scalar, const P: usize> Fields<S> for SystemSums<S, P> {
-    type Of<N: Number<Scalar = S>> = SystemSums<N, P>;
-    const ZERO: Self = Self {
-        rate: [S::ZERO; P],
-        partners: S::ZERO,
-    };
-
-    #[inline(always)]
-    fn splat<N: Number<Scalar = S>>(&self) -> SystemSums<N, P> {
-        SystemSums {
-            rate: self.rate.map(N::splat),
-            partners: N::splat(self.partners),
-        }
-    }
-    #[inline(always)]
-    fn gather<'a, N: Number<Scalar = S>>(
-        records: impl Iterator<Item = &'a Self>,
-    ) -> SystemSums<N, P>
-    where
-        Self: 'a,
-    {
-        let mut of = Self::ZERO.splat::<N>();
-        for (i, record) in records.take(N::LANES).enumerate() {
-            of.partners.set_lane(i, record.partners);
-            for j in 0..P {
-                of.rate[j].set_lane(i, record.rate[j]);
-            }
-        }
-        of
-    }
-    #[inline(always)]
-    fn lane<N: Number<Scalar = S>>(of: &SystemSums<N, P>, i: usize) -> Self {
-        Self {
-            rate: core::array::from_fn(|j| of.rate[j].lane(i)),
-            partners: of.partners.lane(i),
-        }
+record! {
+    /// What it receives.
+    pub struct SystemSums<N, const P: usize> {
+        /// `ε dq/dt` of the pairs.
+        pub rate: [N; P],
+        /// Particles within the support, itself among them.
+        pub partners: N,
     }
 }
 

@@ -25,9 +25,7 @@ impl<S: Scalar> Fields<S> for Nothing {
         Self
     }
     #[inline(always)]
-    fn gather<'a, N: Number<Scalar = S>>(_: impl Iterator<Item = &'a Self>) -> Self {
-        Self
-    }
+    fn set_lane<N: Number<Scalar = S>>(_: &mut Self, _: usize, _: &Self) {}
     #[inline(always)]
     fn lane<N: Number<Scalar = S>>(_: &Self, _: usize) -> Self {
         Self

@@ -44,7 +44,6 @@ record! {
     pub struct Pushes<N, const D: usize> {
         /// `sum z(q)`, itself included.
         pub crowd: N,
-        ;
         /// `-sum F(q) r_kl`.
         pub push: [N; D],
     }

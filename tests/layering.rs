@@ -16,15 +16,13 @@ const CORE: [&str; 10] = [
     "digest",
 ];
 
-/// The layers of the generic part of the host, lowest first.
-const SOLVER: [&str; 13] = [
+/// The layers of the generic part of the host, lowest first; all of them lie above the scenarios.
+const SOLVER: [&str; 11] = [
     "units",
     "sums",
-    "table",
     "symmetriser",
     "engine",
     "exact",
-    "scenario",
     "flows",
     "setup",
     "simulation",

@@ -9,10 +9,10 @@ pub mod engine;
 pub mod exact;
 pub mod flows;
 pub mod linear;
-pub mod scenario;
 pub mod setup;
 pub mod simulation;
 pub mod sums;
 pub mod symmetriser;
-mod table;
 pub mod units;
+
+pub use motes_scenario as scenario;

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use crate::scenario::Extent;
 use crate::scenario::linear::{Arrangement, LinearScenario};
+use crate::scenario::table::{self, Column};
 use crate::setup::{CloudError, LARGEST};
-use crate::table::{self, Column};
 
 /// Points and weights, in the scenario's units.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,15 +8,15 @@
 use std::path::Path;
 
 use super::{Placed, SetupError};
+use crate::scenario::table::{self, Column, Row, Table, TableFault};
 use crate::scenario::{EquationOfState, Scenario};
-use crate::table::{self, Column, Fault, Row, Table};
 
 /// The particles of a file, in its order.
 pub(super) fn read(path: &Path, scenario: &Scenario) -> Result<Vec<Placed>, SetupError> {
     table::read(path, |table| parsed(table, scenario)).map_err(SetupError::Cloud)
 }
 
-fn parsed(table: &Table<'_>, scenario: &Scenario) -> Result<Vec<Placed>, Fault> {
+fn parsed(table: &Table<'_>, scenario: &Scenario) -> Result<Vec<Placed>, TableFault> {
     let columns = Columns::of(table, scenario)?;
     // A file need not say the density: then the mean is a first guess, once all masses are
     // known.
@@ -56,7 +56,7 @@ struct Columns {
 }
 
 impl Columns {
-    fn of(table: &Table<'_>, scenario: &Scenario) -> Result<Self, Fault> {
+    fn of(table: &Table<'_>, scenario: &Scenario) -> Result<Self, TableFault> {
         let dimension = scenario.dimension;
         let need = format!(
             "need position_x, velocity_x and so on (dimension = {dimension}), mass, and energy or \
@@ -86,7 +86,7 @@ impl Columns {
         Ok(columns)
     }
 
-    fn particle(&self, row: &Row<'_>, scenario: &Scenario) -> Result<Placed, Fault> {
+    fn particle(&self, row: &Row<'_>, scenario: &Scenario) -> Result<Placed, TableFault> {
         let mut particle = Placed {
             position: [0.0; 3],
             velocity: [0.0; 3],
@@ -120,7 +120,12 @@ impl Columns {
     }
 
     /// The energy of the row, or that of its pressure.
-    fn energy(&self, row: &Row<'_>, law: &EquationOfState, density: f64) -> Result<f64, Fault> {
+    fn energy(
+        &self,
+        row: &Row<'_>,
+        law: &EquationOfState,
+        density: f64,
+    ) -> Result<f64, TableFault> {
         if let Some(column) = &self.energy {
             return row.positive(column);
         }
@@ -136,7 +141,7 @@ impl Columns {
 }
 
 /// The material of a row: a name, or its number from 0 as motes writes it.
-fn material(row: &Row<'_>, column: &Column, scenario: &Scenario) -> Result<u8, Fault> {
+fn material(row: &Row<'_>, column: &Column, scenario: &Scenario) -> Result<u8, TableFault> {
     let names = || {
         scenario
             .materials

@@ -1,6 +1,6 @@
 //! Why a scenario gives no particles.
 
-use crate::table::CloudError;
+use crate::scenario::table::CloudError;
 
 /// Why a scenario gives no particles.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]

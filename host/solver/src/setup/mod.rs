@@ -27,12 +27,12 @@ mod square;
 #[cfg(test)]
 mod tests;
 
-pub use crate::table::CloudError;
+pub use crate::scenario::table::CloudError;
 pub use apportion::apportion;
 pub use error::SetupError;
 
+use crate::scenario::table::MOST_ROWS;
 use crate::scenario::{Arrangement, Scenario};
-use crate::table::MOST_ROWS;
 
 /// A particle at t = 0, in the scenario's units; components beyond the dimension are 0.
 #[derive(Debug, Clone, Copy, PartialEq)]

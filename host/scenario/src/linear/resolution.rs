@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::scenario::bound::DISTORTION;
-use crate::scenario::error::Fault;
-use crate::scenario::resolution::{file, particles};
-use crate::scenario::section::Section;
+use crate::bound::DISTORTION;
+use crate::error::Fault;
+use crate::resolution::{file, particles};
+use crate::section::Section;
 
 /// How many particles, and how they are placed.
 #[derive(Debug, Clone, PartialEq)]

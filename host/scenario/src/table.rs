@@ -7,7 +7,7 @@ use std::path::Path;
 use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
 
 /// The most rows of a file: as many particles as ids can count.
-pub(crate) const MOST_ROWS: usize = 1 << 29;
+pub const MOST_ROWS: usize = 1 << 29;
 
 /// Why a file is no cloud of particles, and where.
 ///
@@ -44,10 +44,13 @@ impl Diagnostic for CloudError {
     }
 }
 
-/// Reads a file and parses it.
-pub(crate) fn read<T>(
+/// Reads a file with a row a particle and parses it.
+///
+/// # Errors
+/// A file that cannot be read or is not UTF-8, and what `parsed` finds.
+pub fn read<T>(
     path: &Path,
-    parsed: impl FnOnce(&Table<'_>) -> Result<T, Fault>,
+    parsed: impl FnOnce(&Table<'_>) -> Result<T, TableFault>,
 ) -> Result<T, Box<CloudError>> {
     let name = path.display().to_string();
     let nowhere = |message: String, help: &str| {
@@ -76,23 +79,30 @@ pub(crate) fn read<T>(
 }
 
 /// Parses the text of a file with a row for `each` of something.
-pub(crate) fn parse<T>(
+///
+/// # Errors
+/// A heading that is no record, and what `parsed` finds.
+pub fn parse<T>(
     text: &str,
     each: &'static str,
-    parsed: impl FnOnce(&Table<'_>) -> Result<T, Fault>,
-) -> Result<T, Fault> {
+    parsed: impl FnOnce(&Table<'_>) -> Result<T, TableFault>,
+) -> Result<T, TableFault> {
     Table::of(text, each).and_then(|table| parsed(&table))
 }
 
 /// Something wrong at some bytes of the text.
-pub(crate) struct Fault {
-    pub(crate) message: String,
-    pub(crate) help: String,
-    pub(crate) span: Range<usize>,
+pub struct TableFault {
+    /// What is wrong: column, value and line.
+    pub message: String,
+    /// The cure.
+    pub help: String,
+    /// Bytes of the text.
+    pub span: Range<usize>,
 }
 
-impl Fault {
-    pub(crate) fn new(message: String, help: impl Into<String>, span: Range<usize>) -> Self {
+impl TableFault {
+    /// A fault at some bytes of the text.
+    pub fn new(message: String, help: impl Into<String>, span: Range<usize>) -> Self {
         let help = help.into();
         Self {
             message,
@@ -103,18 +113,18 @@ impl Fault {
 }
 
 /// The text of a file, and its heading.
-pub(crate) struct Table<'a> {
+pub struct Table<'a> {
     text: &'a str,
     each: &'static str,
     heading: csv::StringRecord,
 }
 
 impl<'a> Table<'a> {
-    fn of(text: &'a str, each: &'static str) -> Result<Self, Fault> {
+    fn of(text: &'a str, each: &'static str) -> Result<Self, TableFault> {
         let heading = reader(text).headers().cloned();
         let heading = heading.map_err(|error| {
             let line = 0..text.find('\n').unwrap_or(text.len());
-            Fault::new(error.to_string(), "give a heading", line)
+            TableFault::new(error.to_string(), "give a heading", line)
         })?;
         Ok(Self {
             text,
@@ -124,37 +134,43 @@ impl<'a> Table<'a> {
     }
 
     /// Where the heading stands.
-    pub(crate) fn first_line(&self) -> Range<usize> {
+    pub fn first_line(&self) -> Range<usize> {
         0..self.text.find('\n').unwrap_or(self.text.len())
     }
 
     /// A fault of the heading; the help is completed with the columns that there are.
-    pub(crate) fn fault(&self, message: String, need: &str) -> Fault {
+    pub fn fault(&self, message: String, need: &str) -> TableFault {
         let columns = self.heading.iter().collect::<Vec<_>>().join(", ");
         let help = format!("{need}; the columns are: {columns}");
-        Fault::new(message, help, self.first_line())
+        TableFault::new(message, help, self.first_line())
     }
 
     /// A column, if it is there.
-    pub(crate) fn optional(&self, name: &str) -> Option<Column> {
+    pub fn optional(&self, name: &str) -> Option<Column> {
         let index = self.heading.iter().position(|column| column == name)?;
         let name = name.to_owned();
         Some(Column { name, index })
     }
 
     /// A column; `need` says which ones a file has.
-    pub(crate) fn required(&self, name: &str, need: &str) -> Result<Column, Fault> {
+    ///
+    /// # Errors
+    /// There is no such column.
+    pub fn required(&self, name: &str, need: &str) -> Result<Column, TableFault> {
         let missing = || self.fault(format!("there is no column `{name}`"), need);
         self.optional(name).ok_or_else(missing)
     }
 
     /// The columns of a vector: `name_x` and so on; in one dimension `name` will do.
-    pub(crate) fn vector(
+    ///
+    /// # Errors
+    /// One of them is not there.
+    pub fn vector(
         &self,
         name: &str,
         dimension: usize,
         need: &str,
-    ) -> Result<Vec<Column>, Fault> {
+    ) -> Result<Vec<Column>, TableFault> {
         let plain = self.optional(name).filter(|_| dimension == 1);
         if let Some(column) = plain {
             return Ok(vec![column]);
@@ -169,17 +185,17 @@ impl<'a> Table<'a> {
     /// # Errors
     /// A row with too few or too many fields, no row at all, more than ids can count, and what
     /// the caller finds.
-    pub(crate) fn rows(
+    pub fn rows(
         &self,
-        mut take: impl FnMut(&Row<'_>) -> Result<(), Fault>,
-    ) -> Result<(), Fault> {
+        mut take: impl FnMut(&Row<'_>) -> Result<(), TableFault>,
+    ) -> Result<(), TableFault> {
         let mut count = 0;
         for record in reader(self.text).records() {
             let record = record.map_err(|error| broken(self.text, &error))?;
             if count == MOST_ROWS {
                 let message = format!("more than {MOST_ROWS} {}s", self.each);
                 let help = format!("give fewer {}s", self.each);
-                return Err(Fault::new(message, help, self.first_line()));
+                return Err(TableFault::new(message, help, self.first_line()));
             }
             count += 1;
             take(&Row {
@@ -192,7 +208,7 @@ impl<'a> Table<'a> {
         }
         let message = format!("there are no {}s in the file", self.each);
         let help = format!("add a row a {}", self.each);
-        Err(Fault::new(message, help, self.first_line()))
+        Err(TableFault::new(message, help, self.first_line()))
     }
 }
 
@@ -203,7 +219,7 @@ fn reader(text: &str) -> csv::Reader<&[u8]> {
 }
 
 /// A row that is no record: most often one with too few or too many fields.
-fn broken(text: &str, error: &csv::Error) -> Fault {
+fn broken(text: &str, error: &csv::Error) -> TableFault {
     let start = error
         .position()
         .map_or(0, |position| position.byte() as usize);
@@ -219,7 +235,7 @@ fn broken(text: &str, error: &csv::Error) -> Fault {
         _ => error.to_string(),
     };
     let help = "give every row a field for each column; a file cut short ends like this";
-    Fault::new(message, help, line_at(text, start))
+    TableFault::new(message, help, line_at(text, start))
 }
 
 /// The line that begins at a byte, or behind the line end there.
@@ -231,22 +247,24 @@ fn line_at(text: &str, byte: usize) -> Range<usize> {
 }
 
 /// A record and the text it comes from.
-pub(crate) struct Row<'a> {
+pub struct Row<'a> {
     text: &'a str,
     record: &'a csv::StringRecord,
 }
 
 impl Row<'_> {
-    pub(crate) fn field(&self, column: &Column) -> &str {
+    /// The text of a field; empty if the row is shorter.
+    pub fn field(&self, column: &Column) -> &str {
         self.record.get(column.index).unwrap_or("")
     }
 
-    pub(crate) fn line(&self) -> u64 {
+    /// The line of the text, from 1.
+    pub fn line(&self) -> u64 {
         self.record.position().map_or(0, |position| position.line())
     }
 
     /// The bytes of a field; the whole line if it has quotes.
-    pub(crate) fn span(&self, column: &Column) -> Range<usize> {
+    pub fn span(&self, column: &Column) -> Range<usize> {
         let start = self.record.position().map_or(0, |position| position.byte());
         let line = line_at(self.text, start as usize);
         let content = &self.text[line.clone()];
@@ -264,17 +282,21 @@ impl Row<'_> {
     }
 
     /// A fault of a field: `line 3, mass = -1: need ...`.
-    pub(crate) fn fault(&self, column: &Column, need: &str) -> Fault {
+    pub fn fault(&self, column: &Column, need: &str) -> TableFault {
         let message = format!(
             "line {}, {} = {}",
             self.line(),
             column.name,
             self.field(column)
         );
-        Fault::new(message, need, self.span(column))
+        TableFault::new(message, need, self.span(column))
     }
 
-    pub(crate) fn number(&self, column: &Column) -> Result<f64, Fault> {
+    /// A finite number.
+    ///
+    /// # Errors
+    /// Any other text.
+    pub fn number(&self, column: &Column) -> Result<f64, TableFault> {
         let number = self.field(column).parse::<f64>().ok();
         number
             .filter(|number| number.is_finite())
@@ -282,7 +304,10 @@ impl Row<'_> {
     }
 
     /// A coordinate between bounds.
-    pub(crate) fn within(&self, column: &Column, [lower, upper]: [f64; 2]) -> Result<f64, Fault> {
+    ///
+    /// # Errors
+    /// No finite number, or one outside.
+    pub fn within(&self, column: &Column, [lower, upper]: [f64; 2]) -> Result<f64, TableFault> {
         let x = self.number(column)?;
         if (lower..=upper).contains(&x) {
             return Ok(x);
@@ -291,7 +316,11 @@ impl Row<'_> {
         Err(self.fault(column, &need))
     }
 
-    pub(crate) fn positive(&self, column: &Column) -> Result<f64, Fault> {
+    /// A number larger than 0.
+    ///
+    /// # Errors
+    /// Any other text.
+    pub fn positive(&self, column: &Column) -> Result<f64, TableFault> {
         let number = self.number(column)?;
         match number > 0.0 {
             true => Ok(number),
@@ -301,7 +330,8 @@ impl Row<'_> {
 }
 
 /// A column that is read.
-pub(crate) struct Column {
-    pub(crate) name: String,
+pub struct Column {
+    /// As the heading has it.
+    pub name: String,
     index: usize,
 }

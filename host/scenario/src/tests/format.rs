@@ -636,7 +636,7 @@ fn a_tolerance_needs_a_reason_and_a_norm() {
     );
 }
 
-pub(super) const PAGE: &str = include_str!("../../../../../docs/scenario.md");
+pub(super) const PAGE: &str = include_str!("../../../../docs/scenario.md");
 
 #[test]
 fn the_page_names_every_key_and_every_choice() {

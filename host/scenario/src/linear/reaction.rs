@@ -1,9 +1,9 @@
 //! What species turn into at a place.
 
 use super::matrices::matrix;
-use crate::scenario::bound::{NOT_NEGATIVE, POSITIVE};
-use crate::scenario::entry::{ANY, Entry};
-use crate::scenario::error::Fault;
+use crate::bound::{NOT_NEGATIVE, POSITIVE};
+use crate::entry::{ANY, Entry};
+use crate::error::Fault;
 
 /// The right-hand side `f(u)` of `du/dt = f(u)` where nothing flows.
 #[derive(Debug, Clone, PartialEq)]

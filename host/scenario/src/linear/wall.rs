@@ -2,13 +2,13 @@
 
 use super::Series;
 use super::series::series;
-use crate::scenario::bound::NOT_NEGATIVE;
-use crate::scenario::entry::{ANY, Entry};
-use crate::scenario::error::Fault;
-use crate::scenario::files::Files;
-use crate::scenario::geometry::AXES;
-use crate::scenario::section::Section;
-use crate::scenario::{Domain, Side};
+use crate::bound::NOT_NEGATIVE;
+use crate::entry::{ANY, Entry};
+use crate::error::Fault;
+use crate::files::Files;
+use crate::geometry::AXES;
+use crate::section::Section;
+use crate::{Domain, Side};
 
 /// What a species meets at a wall. The flux is what leaves the domain, `-b ∂u/∂n` with the
 /// normal `n` outwards: species · length / time.

@@ -1,8 +1,51 @@
-//! Scenarios: what to simulate, read from TOML and checked once.
+//! Scenarios of motes: what to simulate, read from TOML and checked once.
 //!
-//! A file describes a gas ([`Scenario`]) or, with `[system]`, a linear first-order system
-//! ([`LinearScenario`]); [`AnyScenario`] is either. After reading, every number is finite and in its range, every list
-//! has the scenario's dimension, and every box lies in the domain.
+//! Turns text into values and solves nothing: what reads, lists or writes scenarios needs this
+//! crate alone. A file describes a gas ([`Scenario`]) or, with `[system]`, a linear first-order
+//! system or convection-diffusion ([`LinearScenario`]); [`AnyScenario`] is either. After reading,
+//! every number is finite and in its range, every list has the scenario's dimension, and every box
+//! lies in the domain. `docs/scenario.md` has every key.
+//!
+//! ```
+//! use motes_scenario::{AnyScenario, Source};
+//!
+//! // A built-in scenario, or a file: "tube.toml". Changes are those of `motes run --set`.
+//! let changes = ["material.gamma=1.6".to_owned()];
+//! let AnyScenario::Gas(sod) = AnyScenario::read(Source::from("sod"), &changes)? else {
+//!     unreachable!("sod has no [system]");
+//! };
+//! assert_eq!((sod.dimension, sod.resolution.particles), (1, 900));
+//! assert_eq!(sod.regions[1].pressure, 0.1);
+//! // The text after the changes, with the comments of the file: reading it gives `sod` again.
+//! assert!(sod.text.contains("gamma = 1.6                       # > 1; 1.4 for air"));
+//! # Ok::<(), motes_scenario::ScenarioError>(())
+//! ```
+//!
+//! What cannot be used is refused with its place in the text and its cure:
+//!
+//! ```
+//! use motes_scenario::{AnyScenario, Source};
+//!
+//! let refused = AnyScenario::read(Source::from("sod"), &["material.gamma=0.9".to_owned()]);
+//! let error = refused.unwrap_err();
+//! assert_eq!(error.to_string(), "material.gamma = 0.9 is out of range: need > 1");
+//! // As a `miette::Report` it also shows the line and the cure.
+//! assert!(error.line_and_column().is_some());
+//! ```
+//!
+//! # Modules
+//!
+//! | files | hold |
+//! |---|---|
+//! | `source`, `files`, `builtin` | where text comes from: a file, or what comes with the program |
+//! | `set` | `--set section.key=value` |
+//! | `keys` | the one list of sections and keys, which reading, `--set` and messages share |
+//! | `section`, `entry`, `bound` | typed values out of a parsed document, each with its place |
+//! | `check` | from the document to a scenario |
+//! | `geometry`, `region`, `material`, `profile`, `inflow`, `resolution`, `cut_off`, `method`, `output`, `tolerance` | a section of a gas each; some are shared |
+//! | [`linear`] | the sections of linear systems and convection-diffusion |
+//! | [`table`] | CSV files of particles or times |
+//! | `error`, `problem`, `help`, `nearest` | what is wrong, where, and the cure |
 
 mod any;
 mod bound;
@@ -28,6 +71,7 @@ mod resolution;
 mod section;
 mod set;
 mod source;
+pub mod table;
 #[cfg(test)]
 mod tests;
 mod tolerance;

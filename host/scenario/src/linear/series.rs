@@ -1,9 +1,9 @@
 //! Numbers that change in time, out of a CSV file: a heading, then a row a time.
 
-use crate::scenario::error::Fault;
-use crate::scenario::files::Files;
-use crate::scenario::problem::Problem;
-use crate::scenario::section::Section;
+use crate::error::Fault;
+use crate::files::Files;
+use crate::problem::Problem;
+use crate::section::Section;
 use crate::table;
 
 /// A number at some times, linear between them, constant before the first and after the last.
@@ -49,7 +49,7 @@ pub(super) fn series(section: &Section<'_>, files: Files<'_>) -> Result<Series, 
 }
 
 /// Times and values.
-fn read(table: &table::Table<'_>, name: &str) -> Result<(Vec<f64>, Vec<f64>), table::Fault> {
+fn read(table: &table::Table<'_>, name: &str) -> Result<(Vec<f64>, Vec<f64>), table::TableFault> {
     let need = format!("need `time` and the column that the scenario names, `{name}`");
     let time = table.required(TIME, &need)?;
     let value = table.required(name, &need)?;

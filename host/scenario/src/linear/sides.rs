@@ -1,9 +1,9 @@
 //! Which sides of the domain, and which walls, an initial state goes with.
 
 use super::{Conductor, ConvectionDiffusion, System};
-use crate::scenario::entry::Entry;
-use crate::scenario::error::Fault;
-use crate::scenario::{Domain, Side};
+use crate::entry::Entry;
+use crate::error::Fault;
+use crate::{Domain, Side};
 
 /// That a wave fills the domain periodically, that a round pulse meets no side, and that a
 /// polynomial has the diffusivity that it goes with.

@@ -1,13 +1,13 @@
 //! The systems of equations, by name.
 
 use super::{ConvectionDiffusion, Field, Series, diffusion, field, matrices};
-use crate::scenario::Domain;
-use crate::scenario::bound::{GAMMA, NOT_NEGATIVE, POSITIVE};
-use crate::scenario::entry::ANY;
-use crate::scenario::error::Fault;
-use crate::scenario::files::Files;
-use crate::scenario::geometry::AXES;
-use crate::scenario::section::Section;
+use crate::Domain;
+use crate::bound::{GAMMA, NOT_NEGATIVE, POSITIVE};
+use crate::entry::ANY;
+use crate::error::Fault;
+use crate::files::Files;
+use crate::geometry::AXES;
+use crate::section::Section;
 
 /// A linear first-order system. Its components, in their order, are those of [`System::names`].
 #[derive(Debug, Clone, PartialEq)]

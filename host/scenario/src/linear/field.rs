@@ -1,11 +1,11 @@
 //! Fields of velocities: what the particles follow, and what carries a transported quantity.
 
 use super::System;
-use crate::scenario::entry::{ANY, Entry};
-use crate::scenario::error::Fault;
-use crate::scenario::geometry::AXES;
-use crate::scenario::section::Section;
-use crate::scenario::{Domain, Side};
+use crate::entry::{ANY, Entry};
+use crate::error::Fault;
+use crate::geometry::AXES;
+use crate::section::Section;
+use crate::{Domain, Side};
 
 /// A field of velocities `a(x)`.
 #[derive(Debug, Clone, PartialEq)]

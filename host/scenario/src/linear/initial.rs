@@ -2,12 +2,12 @@
 
 use super::sides::check_sides;
 use super::{System, field};
-use crate::scenario::Domain;
-use crate::scenario::bound::POSITIVE;
-use crate::scenario::entry::{ANY, Entry};
-use crate::scenario::error::Fault;
-use crate::scenario::geometry::point_inside;
-use crate::scenario::section::Section;
+use crate::Domain;
+use crate::bound::POSITIVE;
+use crate::entry::{ANY, Entry};
+use crate::error::Fault;
+use crate::geometry::point_inside;
+use crate::section::Section;
 
 /// A state at t = 0. That at later times is known, but not always of convection-diffusion
 /// ([`Initial::has_solution`]). `k` is

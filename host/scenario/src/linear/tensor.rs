@@ -1,10 +1,10 @@
 //! A symmetric matrix without negative eigenvalues, one row a direction.
 
 use super::matrices::matrix;
-use crate::scenario::entry::Entry;
-use crate::scenario::error::Fault;
-use crate::scenario::geometry::AXES;
-use crate::scenario::{Domain, Side};
+use crate::entry::Entry;
+use crate::error::Fault;
+use crate::geometry::AXES;
+use crate::{Domain, Side};
 
 /// By how much a minor may be below 0, as a part of its terms: what rounding can make of one
 /// that is 0, as of a matrix `v vᵀ`.

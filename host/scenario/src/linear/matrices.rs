@@ -1,9 +1,9 @@
 //! A system given by its matrices.
 
 use super::System;
-use crate::scenario::entry::{ANY, Entry};
-use crate::scenario::error::Fault;
-use crate::scenario::section::Section;
+use crate::entry::{ANY, Entry};
+use crate::error::Fault;
+use crate::section::Section;
 
 /// Names that the results have already.
 const TAKEN: [&str; 9] = [

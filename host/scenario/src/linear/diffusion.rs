@@ -7,12 +7,12 @@ use super::reaction::reaction;
 use super::tensor::tensor;
 use super::wall::{Walls, walls};
 use super::{Conductor, Field, Reaction};
-use crate::scenario::Domain;
-use crate::scenario::bound::{NOT_NEGATIVE, PART};
-use crate::scenario::entry::{ANY, Entry};
-use crate::scenario::error::Fault;
-use crate::scenario::files::Files;
-use crate::scenario::section::Section;
+use crate::Domain;
+use crate::bound::{NOT_NEGATIVE, PART};
+use crate::entry::{ANY, Entry};
+use crate::error::Fault;
+use crate::files::Files;
+use crate::section::Section;
 
 /// Species that a velocity carries, that diffuse and react. That of the `i`-th is
 /// `diffusivity_i profile(x) (1 + amplitude sin(rate t)) tensor`.

@@ -1,7 +1,7 @@
 //! Which initial states have a solution that is known.
 
 use super::{Conductor, ConvectionDiffusion, Field, Initial, Reaction, System};
-use crate::scenario::{Domain, Side};
+use crate::{Domain, Side};
 
 impl Initial {
     /// Whether the solution at later times is known.

@@ -59,7 +59,7 @@ pub struct LinearScenario {
     /// How many particles, and how they are placed.
     pub resolution: Resolution,
     /// The function that smears a particle; its width is the same for all and at all times,
-    /// [`crate::scenario::Width::epsilon`] of the spacing at the start.
+    /// [`crate::Width::epsilon`] of the spacing at the start.
     pub cut_off: CutOff,
     /// How long, and in what steps.
     pub time: Time,

@@ -1,10 +1,10 @@
 //! How long a run lasts, and its steps.
 
 use super::System;
-use crate::scenario::bound::{COURANT, POSITIVE};
-use crate::scenario::entry::Entry;
-use crate::scenario::error::Fault;
-use crate::scenario::section::Section;
+use crate::bound::{COURANT, POSITIVE};
+use crate::entry::Entry;
+use crate::error::Fault;
+use crate::section::Section;
 
 /// How long, and in what steps.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,13 +1,13 @@
 //! What is written and measured.
 
 use super::{Initial, System};
-use crate::scenario::entry::Entry;
-use crate::scenario::error::Fault;
-use crate::scenario::geometry::point_inside;
-use crate::scenario::output::{DEFAULT_SAMPLES, samples, snapshots, window};
-use crate::scenario::section::Section;
-use crate::scenario::tolerance::{self, Tolerance};
-use crate::scenario::{Domain, Extent, Snapshots};
+use crate::entry::Entry;
+use crate::error::Fault;
+use crate::geometry::point_inside;
+use crate::output::{DEFAULT_SAMPLES, samples, snapshots, window};
+use crate::section::Section;
+use crate::tolerance::{self, Tolerance};
+use crate::{Domain, Extent, Snapshots};
 
 /// What is written and measured.
 #[derive(Debug, Clone, PartialEq)]

@@ -16,7 +16,7 @@ macro_rules! built_in {
         /// All built-in scenarios, in the order they are listed.
         pub const BUILT_IN: &[BuiltIn] = &[$(BuiltIn {
             name: $name,
-            text: include_str!(concat!("../../../../scenarios/", $name, ".toml")),
+            text: include_str!(concat!("../../../scenarios/", $name, ".toml")),
         },)*];
     };
 }
@@ -80,7 +80,7 @@ pub struct ShippedFile {
 /// All of them.
 pub const SHIPPED_FILES: &[ShippedFile] = &[ShippedFile {
     name: "wall-day.csv",
-    text: include_str!("../../../../scenarios/wall-day.csv"),
+    text: include_str!("../../../scenarios/wall-day.csv"),
 }];
 
 /// The file of this name that comes with the program, if there is one.

@@ -1,7 +1,7 @@
 //! Convection-diffusion: what its sections read as, and the defaults.
 
 use super::*;
-use crate::scenario::linear::{
+use crate::linear::{
     Conductor, ConvectionDiffusion, Drive, Form, Mean, Modulation, Reaction, WallCondition,
 };
 

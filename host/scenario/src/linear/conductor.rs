@@ -1,9 +1,9 @@
 //! How a diffusivity varies from place to place.
 
-use crate::scenario::Extent;
-use crate::scenario::bound::POSITIVE;
-use crate::scenario::entry::{ANY, Entry};
-use crate::scenario::error::Fault;
+use crate::Extent;
+use crate::bound::POSITIVE;
+use crate::entry::{ANY, Entry};
+use crate::error::Fault;
 
 /// A factor `c(x) >= 0` of the diffusivity, of the coordinate along x alone.
 #[derive(Debug, Clone, PartialEq)]

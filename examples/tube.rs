@@ -3,7 +3,7 @@
 //! `cargo run --release --example tube`
 
 use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
-use motes_core::equation::gas::{GasStorage, Stretch, Tube, Width};
+use motes_core::equation::gas::{PlainStorage, Stretch, Tube, Width};
 use motes_core::{cutoff::CubicSpline, domain::Side, error::Error, integrator::Clock};
 use motes_core::{neighbours::cell_bound, pairs::HalfLoop};
 
@@ -44,7 +44,7 @@ fn main() -> Result<(), Error> {
         }),
         &materials,
     );
-    let mut storage = GasStorage::<f64, 1, N, CELLS>::new();
+    let mut storage = PlainStorage::<f64, 1, N, CELLS>::new();
     tube.particles()
         .try_for_each(|particle| storage.push(particle))?;
     let (mut gas, mut work) = storage.parts();

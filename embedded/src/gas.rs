@@ -1,6 +1,6 @@
 //! Sod's shock tube.
 
-use motes_core::equation::gas::{Gas, GasStorage};
+use motes_core::equation::gas::{Gas, PlainStorage};
 use motes_core::error::Error;
 use motes_core::integrator::Clock;
 use motes_core::pairs::HalfLoop;
@@ -10,7 +10,7 @@ use crate::console::Console;
 use crate::tube::{CELLS, CUT_OFF, EXACT_DENSITY, NAME, PARTICLES, TUBE, WINDOW, viscosity};
 
 /// A tube of gas in static memory.
-pub type Storage<S> = GasStorage<S, 1, PARTICLES, CELLS>;
+pub type Storage<S> = PlainStorage<S, 1, PARTICLES, CELLS>;
 
 /// Runs the tube in one scalar and prints its line: behind the digest the L1 error of the density
 /// in units of 10^-9 of the unit of density. `false` where the run failed.

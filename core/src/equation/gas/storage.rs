@@ -2,20 +2,25 @@
 
 use heapless::Vec;
 
+use crate::equation::linear::Nothing;
 use crate::error::{Container, Error};
 use crate::neighbours::{CellBuffers, Site};
 use crate::pairs::{Fields, Settled};
 use crate::scalar::Scalar;
 
 use super::density::{DensityNode, DensitySums};
-use super::exchange::{ExchangeNode, ExchangeSums};
+use super::exchange::Extras;
 use super::gradient::{GradientNode, GradientSums};
-use super::motion::{GasNode, GasSums};
+use super::motion::{GasNode, GasSums, NodeOf};
 use super::open::Cloud;
 use super::state::{Gas, Particle};
 
-/// Memory that a step works in; nothing in it outlives the step.
-pub struct Workspace<'a, S: Scalar, const D: usize> {
+/// The node and the sums of each particle of a gas with these terms, in sorted order.
+pub type RatesOf<S, T, const D: usize> = [Settled<NodeOf<S, T, D>, GasSums<S, D>>];
+
+/// Memory that a step works in; nothing in it outlives the step. `X` is what the terms beyond the
+/// paper's equations show: [`Terms::Shown`](super::Terms::Shown).
+pub struct Workspace<'a, S: Scalar, X: Fields<S>, const D: usize> {
     /// For the search for partners.
     pub cells: CellBuffers<'a, S, D>,
     /// Nodes of the density sum, in sorted order.
@@ -23,82 +28,38 @@ pub struct Workspace<'a, S: Scalar, const D: usize> {
     /// Its results.
     pub densities: &'a mut [Settled<DensityNode<S, D>, DensitySums<S, D>>],
     /// Nodes of the motion, in sorted order.
-    pub gas_nodes: &'a mut [GasNode<S, D>],
+    pub nodes: &'a mut [GasNode<S, X, D>],
     /// Its results.
-    pub rates: &'a mut [Settled<GasNode<S, D>, GasSums<S, D>>],
-    /// For what goes beyond the paper's equations: [`Options`](super::Options). Empty with
-    /// [`Plain`](super::Plain).
-    pub exchange: ExchangeWorkspace<'a, S, D>,
+    pub rates: &'a mut [Settled<GasNode<S, X, D>, GasSums<S, D>>],
+    /// For gradients.
+    pub gradients: GradientBuffers<'a, S, D>,
 }
 
-/// Memory for the sums of [`super::exchange`] and [`super::gradient`].
-pub struct ExchangeWorkspace<'a, S: Scalar, const D: usize> {
-    /// Nodes of the velocity gradients, in sorted order.
-    pub gradient_nodes: &'a mut [GradientNode<S, D>],
-    /// Their results.
-    pub gradients: &'a mut [Settled<GradientNode<S, D>, GradientSums<S, D>>],
-    /// Nodes of the exchange, in sorted order.
-    pub nodes: &'a mut [ExchangeNode<S, D>],
-    /// Its results.
-    pub rates: &'a mut [Settled<ExchangeNode<S, D>, ExchangeSums<S, D>>],
-}
-
-impl<S: Scalar, const D: usize> Default for ExchangeWorkspace<'_, S, D> {
-    /// None.
-    fn default() -> Self {
-        Self {
-            gradient_nodes: &mut [],
-            gradients: &mut [],
-            nodes: &mut [],
-            rates: &mut [],
-        }
-    }
-}
-
-/// The memory of an [`ExchangeWorkspace`] for `N` particles, without a heap:
-/// `work.exchange = storage.parts()`.
-pub struct ExchangeStorage<S: Scalar, const D: usize, const N: usize> {
-    gradient_nodes: [GradientNode<S, D>; N],
-    gradients: [Settled<GradientNode<S, D>, GradientSums<S, D>>; N],
-    nodes: [ExchangeNode<S, D>; N],
-    rates: [Settled<ExchangeNode<S, D>, ExchangeSums<S, D>>; N],
-}
-
-impl<S: Scalar, const D: usize, const N: usize> Default for ExchangeStorage<S, D, N> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl<S: Scalar, const D: usize, const N: usize> ExchangeStorage<S, D, N> {
-    /// Memory with nothing in it.
-    pub const fn new() -> Self {
-        Self {
-            gradient_nodes: [GradientNode::ZERO; N],
-            gradients: [Settled::new(GradientNode::ZERO, GradientSums::ZERO); N],
-            nodes: [ExchangeNode::ZERO; N],
-            rates: [Settled::new(ExchangeNode::ZERO, ExchangeSums::ZERO); N],
-        }
-    }
-
-    /// As the solver takes it.
-    pub fn parts(&mut self) -> ExchangeWorkspace<'_, S, D> {
-        ExchangeWorkspace {
-            gradient_nodes: &mut self.gradient_nodes,
-            gradients: &mut self.gradients,
-            nodes: &mut self.nodes,
-            rates: &mut self.rates,
-        }
-    }
+/// Memory for the sums of [`super::gradient`]; empty where no gradients are needed.
+pub struct GradientBuffers<'a, S: Scalar, const D: usize> {
+    /// Nodes, in sorted order.
+    pub nodes: &'a mut [GradientNode<S, D>],
+    /// Results.
+    pub sums: &'a mut [Settled<GradientNode<S, D>, GradientSums<S, D>>],
 }
 
 /// A gas of at most `N` particles on at most `C - 1` cells, with its workspace, in one piece
 /// of memory without a heap.
 ///
-/// `C` must exceed [`cell_bound`](crate::neighbours::cell_bound)`(N)`. [`GasStorage::new`] is
+/// `X` is what its terms show: [`Nothing`](crate::equation::linear::Nothing) with
+/// [`Plain`](super::Plain), [`Extras`](super::exchange::Extras) with [`Options`](super::Options).
+/// `G` is `N` where options need gradients, else 0. `C` must exceed
+/// [`cell_bound`](crate::neighbours::cell_bound)`(N)`. [`GasStorage::new`] is
 /// `const`, and all bits of an empty storage are 0 but for the heapless lengths: a `static`
 /// one costs no flash and no stack.
-pub struct GasStorage<S: Scalar, const D: usize, const N: usize, const C: usize> {
+pub struct GasStorage<
+    S: Scalar,
+    X: Fields<S>,
+    const D: usize,
+    const N: usize,
+    const G: usize,
+    const C: usize,
+> {
     position: Vec<[S; D], N>,
     velocity: Vec<[S; D], N>,
     energy: Vec<S, N>,
@@ -120,17 +81,31 @@ pub struct GasStorage<S: Scalar, const D: usize, const N: usize, const C: usize>
     starts: [u32; C],
     density_nodes: [DensityNode<S, D>; N],
     densities: [Settled<DensityNode<S, D>, DensitySums<S, D>>; N],
-    gas_nodes: [GasNode<S, D>; N],
-    rates: [Settled<GasNode<S, D>, GasSums<S, D>>; N],
+    nodes: [GasNode<S, X, D>; N],
+    rates: [Settled<GasNode<S, X, D>, GasSums<S, D>>; N],
+    gradient_nodes: [GradientNode<S, D>; G],
+    gradients: [Settled<GradientNode<S, D>, GradientSums<S, D>>; G],
 }
 
-impl<S: Scalar, const D: usize, const N: usize, const C: usize> Default for GasStorage<S, D, N, C> {
+/// The storage of a gas that follows the paper's equations: [`Plain`](super::Plain).
+pub type PlainStorage<S, const D: usize, const N: usize, const C: usize> =
+    GasStorage<S, Nothing, D, N, 0, C>;
+
+/// The storage of a gas with [`Options`](super::Options).
+pub type OptionsStorage<S, const D: usize, const N: usize, const C: usize> =
+    GasStorage<S, Extras<S, D>, D, N, N, C>;
+
+impl<S: Scalar, X: Fields<S>, const D: usize, const N: usize, const G: usize, const C: usize>
+    Default for GasStorage<S, X, D, N, G, C>
+{
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl<S: Scalar, const D: usize, const N: usize, const C: usize> GasStorage<S, D, N, C> {
+impl<S: Scalar, X: Fields<S>, const D: usize, const N: usize, const G: usize, const C: usize>
+    GasStorage<S, X, D, N, G, C>
+{
     /// An empty cloud.
     pub const fn new() -> Self {
         Self {
@@ -155,8 +130,10 @@ impl<S: Scalar, const D: usize, const N: usize, const C: usize> GasStorage<S, D,
             starts: [0; C],
             density_nodes: [DensityNode::ZERO; N],
             densities: [Settled::new(DensityNode::ZERO, DensitySums::ZERO); N],
-            gas_nodes: [GasNode::ZERO; N],
+            nodes: [GasNode::ZERO; N],
             rates: [Settled::new(GasNode::ZERO, GasSums::ZERO); N],
+            gradient_nodes: [GradientNode::ZERO; G],
+            gradients: [Settled::new(GradientNode::ZERO, GradientSums::ZERO); G],
         }
     }
 
@@ -186,7 +163,7 @@ impl<S: Scalar, const D: usize, const N: usize, const C: usize> GasStorage<S, D,
     }
 
     /// The state and the workspace, as the solver takes them.
-    pub fn parts(&mut self) -> (Gas<'_, S, D>, Workspace<'_, S, D>) {
+    pub fn parts(&mut self) -> (Gas<'_, S, D>, Workspace<'_, S, X, D>) {
         let n = self.mass.len();
         let gas = Gas {
             position: &mut self.position,
@@ -214,16 +191,19 @@ impl<S: Scalar, const D: usize, const N: usize, const C: usize> GasStorage<S, D,
             },
             density_nodes: &mut self.density_nodes,
             densities: &mut self.densities,
-            gas_nodes: &mut self.gas_nodes,
+            nodes: &mut self.nodes,
             rates: &mut self.rates,
-            exchange: ExchangeWorkspace::default(),
+            gradients: GradientBuffers {
+                nodes: &mut self.gradient_nodes,
+                sums: &mut self.gradients,
+            },
         };
         (gas, work)
     }
 }
 
-impl<S: Scalar, const D: usize, const N: usize, const C: usize> Cloud<S, D>
-    for GasStorage<S, D, N, C>
+impl<S: Scalar, X: Fields<S>, const D: usize, const N: usize, const G: usize, const C: usize>
+    Cloud<S, D> for GasStorage<S, X, D, N, G, C>
 {
     fn gas(&mut self) -> Gas<'_, S, D> {
         self.parts().0

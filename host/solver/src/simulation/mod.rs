@@ -9,7 +9,7 @@ mod plan;
 mod planning;
 mod run;
 
-pub use arrays::GasArrays;
+pub use arrays::{GasArrays, OptionsArrays, PlainArrays};
 pub use choice::in_dimensions;
 pub use limits::RunError;
 pub(crate) use limits::{check_memory, check_numbers, check_step};

@@ -59,7 +59,7 @@ where
     P: Physics<S, D>,
 {
     let options = plan.options::<S, D>();
-    let bytes = GasArrays::<S, D>::bytes_per_particle(&options);
+    let bytes = GasArrays::<S, P::Shown, D>::bytes_per_particle(&options);
     check_memory(plan.particles.len(), bytes)?;
     check_format::<S>(plan, scalar)?;
     let materials = plan.materials();
@@ -86,7 +86,7 @@ where
 {
     fn complete(
         mut self,
-        mut arrays: GasArrays<S, D>,
+        mut arrays: GasArrays<S, P::Shown, D>,
         engine: &mut Threads,
         control: &mut Control<'_>,
     ) -> Result<Outcome, RunError> {

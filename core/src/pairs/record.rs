@@ -5,7 +5,7 @@ use crate::scalar::{Number, Scalar};
 /// A record of scalars that also exists with lanes in place of the scalars.
 ///
 /// A scalar is such a record, and so is an array of them; [`crate::record!`] defines others.
-pub trait Fields<S: Scalar>: Copy + Send + Sync {
+pub trait Fields<S: Scalar>: Copy + Send + Sync + 'static {
     /// The same record over another number.
     type Of<N: Number<Scalar = S>>: Copy;
     /// Every field 0.
@@ -28,6 +28,26 @@ pub trait Fields<S: Scalar>: Copy + Send + Sync {
             Self::set_lane::<N>(&mut of, i, record);
         }
         of
+    }
+}
+
+/// No data: a record without fields.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Nothing;
+
+impl<S: Scalar> Fields<S> for Nothing {
+    type Of<N: Number<Scalar = S>> = Self;
+    const ZERO: Self = Self;
+
+    #[inline(always)]
+    fn splat<N: Number<Scalar = S>>(&self) -> Self {
+        Self
+    }
+    #[inline(always)]
+    fn set_lane<N: Number<Scalar = S>>(_: &mut Self, _: usize, _: &Self) {}
+    #[inline(always)]
+    fn lane<N: Number<Scalar = S>>(_: &Self, _: usize) -> Self {
+        Self
     }
 }
 

@@ -164,6 +164,7 @@ impl<S: Scalar> Scalar for Checked<S> {
     const CELL_LIMIT: u32 = S::CELL_LIMIT;
     const EXTRAPOLATION: Self = Self::new(S::EXTRAPOLATION);
     const TINIEST: Self = Self::new(S::TINIEST);
+    const LARGEST: Self = Self::new(S::LARGEST);
 
     type Wide = CheckedWide<S>;
     fn product(a: Self, b: Self) -> CheckedWide<S> {

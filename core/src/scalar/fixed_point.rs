@@ -196,6 +196,7 @@ macro_rules! fixed_point {
             const CELL_LIMIT: u32 = 1 << 30;
             const EXTRAPOLATION: Self = Self::from_bits(1 << (F::U32 - F::U32 / 2));
             const TINIEST: Self = Self::from_bits(1);
+            const LARGEST: Self = Self::from_bits(<$int>::MAX);
 
             type Wide = $wide;
             #[inline(always)]

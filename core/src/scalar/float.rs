@@ -78,6 +78,7 @@ macro_rules! float {
             const CELL_LIMIT: u32 = $cells;
             const EXTRAPOLATION: Self = $extrapolation;
             const TINIEST: Self = <$float>::MIN_POSITIVE;
+            const LARGEST: Self = <$float>::MAX;
 
             type Wide = Self;
             #[inline(always)]

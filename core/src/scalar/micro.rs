@@ -114,6 +114,7 @@ impl Scalar for Micro {
     const CELL_LIMIT: u32 = f32::CELL_LIMIT;
     const EXTRAPOLATION: Self = Self(f32::EXTRAPOLATION);
     const TINIEST: Self = Self(f32::TINIEST);
+    const LARGEST: Self = Self(f32::LARGEST);
 
     type Wide = Self;
     #[inline(always)]

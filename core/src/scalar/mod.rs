@@ -91,6 +91,8 @@ pub trait Scalar: Number<Scalar = Self> + PartialOrd + Debug + Send + Sync + 'st
     const EXTRAPOLATION: Self;
     /// The smallest positive number with all its digits: a divisor in place of 0.
     const TINIEST: Self;
+    /// The largest number.
+    const LARGEST: Self;
 
     /// What an exact product of two scalars is kept in: double width in fixed point.
     type Wide: Copy + Debug + Send + Sync + 'static;

@@ -2,11 +2,11 @@
 //! the law that it uses.
 
 use crate::cutoff::CutOff;
-use crate::equation::linear::Nothing;
 use crate::error::Error;
 use crate::material::EquationOfState;
 use crate::neighbours::Cells;
 use crate::pairs::Engine;
+use crate::pairs::Nothing;
 use crate::scalar::Scalar;
 
 use super::dynamics::GasDynamics;

@@ -1,7 +1,7 @@
 //! What a gas may do beyond the paper's equations, as the sums over pairs see it.
 
-use crate::equation::linear::Nothing;
 use crate::pairs::Fields;
+use crate::pairs::Nothing;
 use crate::scalar::{Number, Scalar};
 
 use super::motion::NodeOver;

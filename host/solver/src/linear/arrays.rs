@@ -6,7 +6,7 @@ use motes_core::equation::diffusion::{
 use motes_core::equation::linear::{
     LinearWorkspace, Particle, Register, Start, State, SystemNode, SystemSums,
 };
-use motes_core::neighbours::{CellBuffers, Site, cell_bound};
+use motes_core::neighbours::{CellBuffers, Grid, Site, cell_bound};
 use motes_core::pairs::{Fields, Settled};
 use motes_core::scalar::Scalar;
 
@@ -29,6 +29,10 @@ struct Registers<S: Scalar, const D: usize, const P: usize> {
     start: Vec<Start<S, D, P>>,
     last: Vec<Register<S, D, P>>,
     sum: Vec<Register<S, D, P>>,
+    /// The geometry of the cells, while the particles have not moved.
+    grid: Option<Grid<S, D>>,
+    /// The time of the rates that were made last.
+    time: S,
 }
 
 impl<S: Scalar, const D: usize, const P: usize> CloudArrays<S, D, P> {
@@ -65,6 +69,8 @@ impl<S: Scalar, const D: usize, const P: usize> CloudArrays<S, D, P> {
                 start: vec![start; n],
                 last: vec![Register::ZERO; n],
                 sum: vec![Register::ZERO; n],
+                grid: None,
+                time: S::ZERO,
             },
         }
     }
@@ -124,7 +130,7 @@ impl<S: Scalar, M: Fields<S>, const D: usize, const P: usize> LinearArrays<S, M,
         let (state, cells, registers) = self.cloud.parts();
         let work = LinearWorkspace {
             cells,
-            grid: None,
+            grid: &mut registers.grid,
             nodes: &mut self.nodes,
             sums: &mut self.sums,
             start: &mut registers.start,
@@ -177,12 +183,12 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionArrays<S, D, P> {
         let (state, cells, registers) = self.cloud.parts();
         let work = DiffusionWorkspace {
             cells,
-            grid: None,
+            grid: &mut registers.grid,
             nodes: &mut self.nodes,
             sums: &mut self.sums,
             start: &mut registers.start,
             last: &mut registers.last,
-            time: S::ZERO,
+            time: &mut registers.time,
             sum: &mut registers.sum,
             stages: &mut self.stages,
             fluxes: &mut self.fluxes,

@@ -1,13 +1,8 @@
 //! From TOML text to a checked scenario.
 
-use std::ops::Range;
-
-use toml::Spanned;
-use toml::de::DeTable;
-
-use super::error::{Fault, ScenarioError};
-use super::files::Files;
-use super::keys::{Family, ROOT};
+use super::document::Document;
+use super::error::{Fault, Place, ScenarioError};
+use super::keys::Family;
 use super::problem::Problem;
 use super::section::Section;
 use super::source::Source;
@@ -17,73 +12,46 @@ use super::{
     tolerance,
 };
 
-/// Reads a source with the `overrides` on top, through `parsed`: it gets the text and
-/// where the files are that the text names.
+/// Reads a source with the `overrides` on top, through `parsed`. Each text is parsed once: that of
+/// the source, and what each of the overrides makes of it.
 pub(super) fn read<T>(
     source: &Source,
     overrides: &[String],
-    parsed: impl FnOnce(&str, Files<'_>) -> Result<T, Fault>,
+    parsed: impl FnOnce(&Document<'_>) -> Result<T, Fault>,
 ) -> Result<T, ScenarioError> {
     let (mut text, mut name) = (source.text()?, source.to_string());
+    for argument in overrides {
+        let document = Document::parse(&text, source.files());
+        let document = document.map_err(|fault| fault.within(&name, &text))?;
+        text = set::changed(&document, argument).map_err(|problem| {
+            let place = Place {
+                name: "--set".to_owned(),
+                text: argument.clone(),
+                span: 0..argument.len(),
+            };
+            ScenarioError::new(*problem, place)
+        })?;
+    }
     if !overrides.is_empty() {
-        text = set::with_overrides(&text, &name, overrides)?;
         name.push_str(" after --set");
     }
-    parsed(&text, source.files()).map_err(|fault| fault.within(&name, &text))
+    Document::parse(&text, source.files())
+        .and_then(|document| parsed(&document))
+        .map_err(|fault| fault.within(&name, &text))
 }
 
 /// A scenario of either family.
-pub(super) fn any(text: &str, files: Files<'_>) -> Result<AnyScenario, Fault> {
-    let document = document(text)?;
-    let (family, _) = family(&document);
-    Ok(match family {
-        Family::Gas => AnyScenario::Gas(Box::new(gas(text, files)?)),
-        Family::Linear => AnyScenario::Linear(Box::new(linear(text, files)?)),
+pub(super) fn any(document: &Document<'_>) -> Result<AnyScenario, Fault> {
+    Ok(match document.family() {
+        Family::Gas => AnyScenario::Gas(Box::new(gas(document)?)),
+        Family::Linear => AnyScenario::Linear(Box::new(linear(document)?)),
     })
-}
-
-/// A scenario that describes a gas.
-pub(super) fn gas(text: &str, files: Files<'_>) -> Result<Scenario, Fault> {
-    let document = document(text)?;
-    scenario(&root(text, &document, Family::Gas)?, files, text)
 }
 
 /// A scenario that describes a linear system.
-pub(super) fn linear(text: &str, files: Files<'_>) -> Result<LinearScenario, Fault> {
-    let document = document(text)?;
-    linear::scenario(&root(text, &document, Family::Linear)?, files, text)
-}
-
-fn document(text: &str) -> Result<Spanned<DeTable<'_>>, Fault> {
-    DeTable::parse(text).map_err(|error| {
-        let end = text.trim_end().len();
-        let message = error.message().to_owned();
-        let span = error.span().unwrap_or(end..end);
-        Fault::new(Problem::Syntax { message }, span)
-    })
-}
-
-/// The family that a text is of, and where it says so.
-fn family(document: &Spanned<DeTable<'_>>) -> (Family, Option<Range<usize>>) {
-    let mut keys = document.get_ref().keys();
-    let system = keys.find(|key| key.get_ref() == "system");
-    let span = system.map(|system| system.span());
-    (Family::of(span.is_some()), span)
-}
-
-/// The keys above all sections, of a text that must be of a family.
-fn root<'a>(
-    text: &str,
-    document: &'a Spanned<DeTable<'a>>,
-    wanted: Family,
-) -> Result<Section<'a>, Fault> {
-    let end = text.trim_end().len();
-    let (family, span) = family(document);
-    if family != wanted {
-        let problem = Problem::WrongFamily { family };
-        return Err(Fault::new(problem, span.unwrap_or(end..end)));
-    }
-    Section::open(family, ROOT, document.get_ref(), end..end)
+pub(super) fn linear(document: &Document<'_>) -> Result<LinearScenario, Fault> {
+    let root = document.root(Family::Linear)?;
+    linear::scenario(&root, document.files, document.text)
 }
 
 /// What gases and linear systems have in common.
@@ -114,14 +82,16 @@ pub(super) fn heading(root: &Section<'_>) -> Result<Heading, Fault> {
     })
 }
 
-fn scenario(root: &Section<'_>, files: Files<'_>, text: &str) -> Result<Scenario, Fault> {
+/// A scenario that describes a gas.
+pub(super) fn gas(document: &Document<'_>) -> Result<Scenario, Fault> {
+    let root = &document.root(Family::Gas)?;
     let section = |key| root.required(key)?.section();
     let heading = heading(root)?;
     let (dimension, domain) = (heading.dimension, heading.domain);
     let gas = state(root, &domain)?;
     let resolution = resolution::resolution(
         &section("resolution")?,
-        files.folder(),
+        document.files.folder(),
         &domain,
         gas.profile.as_ref(),
     )?;
@@ -153,7 +123,7 @@ fn scenario(root: &Section<'_>, files: Files<'_>, text: &str) -> Result<Scenario
         time: method::time(&section("time")?)?,
         tolerances: tolerance::of_gas(root, output.exact.is_some())?,
         output,
-        text: text.to_owned(),
+        text: document.text.to_owned(),
     })
 }
 

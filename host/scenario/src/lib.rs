@@ -38,7 +38,8 @@
 //! | files | hold |
 //! |---|---|
 //! | `source`, `files`, `builtin` | where text comes from: a file, or what comes with the program |
-//! | `set` | `--set section.key=value` |
+//! | `document` | the text, parsed once |
+//! | `set`, `edit` | `--set section.key=value`, made in the text |
 //! | `keys` | the one list of sections and keys, which reading, `--set` and messages share |
 //! | `section`, `entry`, `bound` | typed values out of a parsed document, each with its place |
 //! | `check` | from the document to a scenario |
@@ -52,6 +53,8 @@ mod bound;
 mod builtin;
 mod check;
 mod cut_off;
+mod document;
+mod edit;
 mod entry;
 mod error;
 mod files;

@@ -4,11 +4,11 @@ use std::ops::Range;
 
 use toml::de::DeTable;
 
-use super::error::Fault;
-use super::files::Files;
-use super::keys::{Family, ROOT};
-use super::problem::Problem;
-use super::section::Section;
+use crate::error::Fault;
+use crate::files::Files;
+use crate::keys::{Family, ROOT};
+use crate::problem::Problem;
+use crate::section::Section;
 
 /// The parsed text of a scenario; every key and value knows its bytes.
 pub(super) struct Document<'a> {

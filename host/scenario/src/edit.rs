@@ -6,8 +6,8 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::document::Document;
-use super::keys;
+use crate::document::Document;
+use crate::keys;
 
 /// New text for some bytes.
 #[derive(Debug)]

@@ -5,10 +5,10 @@ use std::borrow::Cow;
 
 use toml::de::DeValue;
 
-use super::document::Document;
-use super::edit::{Edit, Spot, edited};
-use super::keys::{self, Family, LISTS, ROOT};
-use super::problem::Problem;
+use crate::document::Document;
+use crate::edit::{Edit, Spot, edited};
+use crate::keys::{self, Family, LISTS, ROOT};
+use crate::problem::Problem;
 
 /// The text with a change made, comments and the order of keys kept.
 ///

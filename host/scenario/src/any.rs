@@ -1,10 +1,10 @@
 //! A scenario of either family.
 
-use super::check;
-use super::error::ScenarioError;
-use super::linear::LinearScenario;
-use super::source::Source;
-use super::{Family, Scenario};
+use crate::check;
+use crate::error::ScenarioError;
+use crate::linear::LinearScenario;
+use crate::source::Source;
+use crate::{Family, Scenario};
 
 /// A scenario, whatever it describes.
 #[derive(Debug, Clone, PartialEq)]

@@ -147,6 +147,18 @@ impl Scalar for Micro {
         Self(f32::from_f64(value))
     }
     #[inline(always)]
+    fn from_f32(value: f32) -> Self {
+        Self(value)
+    }
+    #[inline(always)]
+    fn from_i32(n: i32) -> Self {
+        Self(f32::from_i32(n))
+    }
+    #[inline(always)]
+    fn from_bits(bits: u64) -> Self {
+        Self(<f32 as Scalar>::from_bits(bits))
+    }
+    #[inline(always)]
     fn to_f64(self) -> f64 {
         f64::from(self.0)
     }

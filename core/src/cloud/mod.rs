@@ -13,9 +13,8 @@ pub(crate) use column::columns;
 pub use column::{Column, ColumnMut, Columns, Components, Field, Kind, Role, Unit};
 pub use place::Place;
 pub use registers::{Register, Start};
-pub(crate) use registers::{accumulate, clear, put, remember};
+pub(crate) use registers::{accumulate, clear, put, remember, remember_strengths};
 pub use state::{Particle, State};
-pub use storage::Kept;
 pub(crate) use storage::{CloudParts, CloudStorage};
 pub use velocity::{
     Compression, Named as NamedField, Rotation, Shear, Still, Uniform, VelocityField, Wave,

@@ -69,6 +69,19 @@ pub(crate) fn remember<S: Scalar, const D: usize, const P: usize>(
     Ok(())
 }
 
+/// Remembers the strengths of a state as those of the start of a step; where its particles were then
+/// stays what it is.
+pub(crate) fn remember_strengths<S: Scalar, const D: usize, const P: usize>(
+    state: &State<'_, S, D, P>,
+    start: &mut [Start<S, D, P>],
+) -> Result<(), Error> {
+    let start = start.get_mut(..state.len()).ok_or(Error::Lengths)?;
+    for (start, &strength) in start.iter_mut().zip(state.strength.iter()) {
+        start.strength = strength;
+    }
+    Ok(())
+}
+
 /// Empties the sum of the rates of a step for so many particles.
 pub(crate) fn clear<S: Scalar, const D: usize, const P: usize>(
     particles: usize,

@@ -2,7 +2,7 @@
 
 use heapless::Vec;
 
-use super::registers::Start;
+use super::registers::{Start, remember};
 use super::state::{Particle, State};
 use crate::error::{Container, Error};
 use crate::neighbours::{CellBuffers, Grid, Site};
@@ -24,7 +24,6 @@ pub(crate) struct CloudStorage<
     starts: [u32; C],
     grid: Option<Grid<S, D>>,
     time: S,
-    kept: Vec<Kept<S, D, P>, N>,
 }
 
 /// The arrays of the state.
@@ -49,14 +48,6 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize> Arrays<S, D, P, 
     }
 }
 
-/// A particle as it was before the last step.
-#[derive(Clone, Copy, Debug)]
-pub struct Kept<S: Scalar, const D: usize, const P: usize> {
-    start: Start<S, D, P>,
-    value: [S; P],
-    neighbours: S,
-}
-
 /// A cloud as a solver takes it.
 pub(crate) struct CloudParts<'a, S: Scalar, const D: usize, const P: usize> {
     /// The state.
@@ -69,30 +60,6 @@ pub(crate) struct CloudParts<'a, S: Scalar, const D: usize, const P: usize> {
     pub grid: &'a mut Option<Grid<S, D>>,
     /// The time of the rates that were made last.
     pub time: &'a mut S,
-}
-
-impl<S: Scalar, const D: usize, const P: usize> State<'_, S, D, P> {
-    /// Particle `id` as it is now.
-    pub fn kept(&self, id: usize) -> Option<Kept<S, D, P>> {
-        Some(Kept {
-            start: Start {
-                position: *self.position.get(id)?,
-                weight: *self.weight.get(id)?,
-                strength: *self.strength.get(id)?,
-            },
-            value: *self.value.get(id)?,
-            neighbours: *self.neighbours.get(id)?,
-        })
-    }
-
-    /// Makes particle `id` what it was; does nothing beyond the end.
-    pub fn put_back(&mut self, id: usize, kept: &Kept<S, D, P>) {
-        put(self.position, id, kept.start.position);
-        put(self.weight, id, kept.start.weight);
-        put(self.strength, id, kept.start.strength);
-        put(self.value, id, kept.value);
-        put(self.neighbours, id, kept.neighbours);
-    }
 }
 
 /// Sets an entry, where there is one.
@@ -122,7 +89,6 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
             starts: [0; C],
             grid: None,
             time: S::ZERO,
-            kept: Vec::new(),
         }
     }
 
@@ -157,7 +123,6 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
         self.arrays.value.clear();
         self.arrays.strength.clear();
         self.start.clear();
-        self.kept.clear();
         self.grid = None;
     }
 
@@ -199,19 +164,20 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
 
     /// Remembers the state.
     pub fn keep(&mut self) {
-        self.kept.clear();
-        let state = self.arrays.state();
-        for id in 0..state.len() {
-            // There is room for as many as there are particles.
-            let _ = state.kept(id).map(|particle| self.kept.push(particle));
-        }
+        // There is room for as many as there are particles.
+        let _ = remember(&self.arrays.state(), &mut self.start);
     }
 
-    /// Goes back to the state that was remembered.
+    /// Goes back to the state that was remembered. No method writes to what it was at the start of a
+    /// step; values are made of strengths and weights, as after every step.
     pub fn restore(&mut self) {
         let mut state = self.arrays.state();
-        for (id, particle) in self.kept.iter().enumerate() {
-            state.put_back(id, particle);
+        for (id, start) in self.start.iter().enumerate() {
+            let Some(row) = state.row(id) else { break };
+            *row.position = start.position;
+            *row.weight = start.weight;
+            *row.strength = start.strength;
+            row.revalue();
         }
         self.grid = None;
     }

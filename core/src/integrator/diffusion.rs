@@ -1,7 +1,7 @@
 //! Steps of convection-diffusion: all at once, or transport and diffusion in turns.
 
 use crate::cloud::{Place, Register, State, VelocityField};
-use crate::cloud::{accumulate, clear, put, remember};
+use crate::cloud::{accumulate, clear, put, remember, remember_strengths};
 use crate::cutoff::CutOff;
 use crate::equation::diffusion::{DiffusionDynamics, DiffusionProblem, DiffusionWorkspace};
 use crate::error::Error;
@@ -74,7 +74,7 @@ where
 {
     fn start(&mut self) -> Result<(), Error> {
         self.work.stages.fill([[S::ZERO; P]; 3]);
-        remember(self.state, self.work.start)
+        remember_strengths(self.state, self.work.start)
     }
 
     fn rates(&mut self, time: S) -> Result<(), Error> {

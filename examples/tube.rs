@@ -11,20 +11,12 @@ use motes_core::{neighbours::cell_bound, pairs::HalfLoop};
 const CELLS: usize = cell_bound(225) as usize + 1;
 
 #[rustfmt::skip]
-const DENSE: Stretch =
-    Stretch { lower: -100.0, upper: 0.0, particles: 200, mass: 0.5, velocity: 0.0, energy: 1.8 };
-#[rustfmt::skip]
-const THIN: Stretch = Stretch { lower: 0.0, upper: 100.0, particles: 25, ..DENSE };
-
 fn main() -> Result<(), Error> {
+    let dense = Stretch { lower: -100.0, upper: 0.0, particles: 200, mass: 0.5, velocity: 0.0, energy: 1.8 };
+    let thin = Stretch { lower: 0.0, upper: 100.0, particles: 25, ..dense };
     let tube = Tube {
-        half_length: 100.0,
-        sides: [Side::Mirror; 2],
-        stretches: &[DENSE, THIN],
-        gamma: 1.4,
-        width: Width::Adaptive { eta: 1.2 },
-        courant: 0.3,
-        end: 25.0,
+        half_length: 100.0, sides: [Side::Mirror; 2], stretches: &[dense, thin], gamma: 1.4,
+        width: Width::Adaptive { eta: 1.2 }, courant: 0.3, end: 25.0,
     };
     let materials = [tube.material()];
     let solver = tube.solver(CubicSpline, Pairwise(Coefficients::usual()), &materials);
@@ -32,7 +24,7 @@ fn main() -> Result<(), Error> {
     tube.fill(|particle| storage.push(particle))?;
     let mut run = Stepper::new(solver, LeapFrog, HalfLoop, &mut storage)?.until(tube.duration());
     while run.step()?.is_some() {}
-    let steps = run.clock().steps;
-    println!("{steps} steps, digest {}", run.state().digest());
+    println!("{} steps", run.clock().steps);
+    println!("digest {}", run.state().digest());
     Ok(())
 }

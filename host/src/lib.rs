@@ -5,14 +5,11 @@ pub mod cli;
 pub mod experiment;
 pub mod export;
 pub mod io;
-pub mod linear;
 pub mod report;
+pub mod run;
 mod scalars;
-pub mod simulation;
 pub mod snapshots;
 pub mod study;
 pub mod suite;
 
-pub use motes_solver::{
-    comparison, engine, exact, flows, scenario, setup, sums, symmetriser, units,
-};
+pub use motes_solver::{engine, exact, families, flows, scenario, setup, sums, symmetriser, units};

@@ -1,0 +1,15 @@
+//! Gas dynamics.
+
+mod exact;
+mod limits;
+mod memory;
+mod opening;
+mod plan;
+mod planning;
+mod simulation;
+
+pub use exact::{ExactError, ExactSolution, FIELDS};
+pub use memory::GasArrays;
+pub use opening::{Incoming, OpenSides, OpenZone};
+pub use plan::Plan;
+pub(super) use simulation::start;

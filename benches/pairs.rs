@@ -11,7 +11,7 @@ use criterion::{BenchmarkId, Criterion, Throughput};
 use fixed::types::extra::U19;
 use motes::benchmark::{CASES, Case, jittered};
 use motes::engine::{GrowingList, HostScalar, InstructionSet, Threads};
-use motes::families::gas::GasArrays;
+use motes::families::gas::PlainArrays;
 use motes_core::cutoff::CubicSpline;
 use motes_core::domain::{Axis, Domain};
 use motes_core::equation::gas::density::{Density, DensityNode, DensitySums};
@@ -77,7 +77,7 @@ impl<S: HostScalar, const D: usize> Sum<'_, S, D> {
 fn with_sum<S: HostScalar, const D: usize>(case: Case, then: impl FnOnce(Sum<'_, S, D>)) {
     let particles = jittered::<S, D>(case);
     let positions: Vec<_> = particles.iter().map(|particle| particle.position).collect();
-    let mut arrays = GasArrays::<S, D>::new(particles, &Options::OFF);
+    let mut arrays = PlainArrays::<S, D>::new(particles, &Options::OFF);
     let (_, mut work) = arrays.parts();
     let side = S::from_f64(case.per_side as f64);
     let domain = Domain {

@@ -7,7 +7,7 @@ use fixed::types::extra::U19;
 use motes_core::cutoff::CubicSpline;
 use motes_core::domain::{Axis, Domain};
 use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
-use motes_core::equation::gas::{GasDynamics, GasStorage, Plain, Stretch, Width};
+use motes_core::equation::gas::{GasDynamics, Plain, PlainStorage, Stretch, Width};
 use motes_core::error::Error;
 use motes_core::material::IdealGas;
 use motes_core::neighbours::cell_bound;
@@ -21,11 +21,11 @@ const N: usize = 64;
 const CELLS: usize = cell_bound(N as u32) as usize + 1;
 
 /// All memory of the solver, in .bss. On a device: `static_cell::ConstStaticCell`.
-static STORAGE: Mutex<GasStorage<S, 1, N, CELLS>> = Mutex::new(GasStorage::new());
+static STORAGE: Mutex<PlainStorage<S, 1, N, CELLS>> = Mutex::new(PlainStorage::new());
 
 /// A closed pipe, its left half hot: `steps` steps of a control loop. Returns the highest
 /// pressure at the right end.
-fn simulate(storage: &mut GasStorage<S, 1, N, CELLS>, steps: u32) -> Result<S, Error> {
+fn simulate(storage: &mut PlainStorage<S, 1, N, CELLS>, steps: u32) -> Result<S, Error> {
     let number = S::from_f64;
     let materials = [IdealGas::new(1.4)];
     let solver = GasDynamics {

@@ -14,8 +14,8 @@ use motes_core::cutoff::{CutOff, Named as NamedCutOff};
 use motes_core::domain::{Axis, Beyond, Domain, Side};
 use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
 use motes_core::equation::gas::{
-    Cloud, EnergyForm, Gas, GasDynamics, GasStorage, Inflow, Opening, Options, Particle, Physics,
-    Plain, Width, Zone,
+    Cloud, EnergyForm, Gas, GasDynamics, Inflow, Opening, Options, Particle, Physics, Plain,
+    PlainStorage, Width, Zone,
 };
 use motes_core::error::{Container, Error};
 use motes_core::material::IdealGas;
@@ -424,8 +424,8 @@ fn run<S: HostScalar, P: Physics<S, D>, const D: usize>(
     (physics, options): (P, Options<S, D>),
     threads: usize,
     steps: usize,
-    mut look: impl FnMut(&Domain<S, D>, &mut GasArrays<S, D>, bool),
-) -> GasArrays<S, D> {
+    mut look: impl FnMut(&Domain<S, D>, &Gas<'_, S, D>, bool),
+) -> GasArrays<S, P::Shown, D> {
     let materials = [IdealGas::new(GAMMA)];
     let solver = stream.solver::<S, _, D>(&materials, physics);
     let layer = stream.layer::<S, D>();
@@ -437,13 +437,13 @@ fn run<S: HostScalar, P: Physics<S, D>, const D: usize>(
     solver.prepare(&mut engine, &mut gas, &mut work).unwrap();
     for _ in 0..steps {
         opening.exchange(&solver.domain, &mut arrays).unwrap();
-        look(&solver.domain, &mut arrays, false);
+        look(&solver.domain, &arrays.gas(), false);
         let (mut gas, mut work) = arrays.parts();
         let dt = solver.time_step(&gas, S::ONE).unwrap();
         solver
             .advance(&mut engine, &mut gas, &mut work, dt)
             .unwrap();
-        look(&solver.domain, &mut arrays, true);
+        look(&solver.domain, &arrays.gas(), true);
     }
     arrays
 }
@@ -467,13 +467,12 @@ fn nothing_acts_on_what_comes_in() {
     let forms = [EnergyForm::LeapFrog, EnergyForm::Exact, EnergyForm::Total];
     let check = |options: Options<f64, 2>, is_plain: bool| {
         let (mut before, mut compared) = (Held::new(), 0);
-        let look = |domain: &Domain<f64, 2>, arrays: &mut GasArrays<f64, 2>, after: bool| {
-            let gas = arrays.gas();
+        let look = |domain: &Domain<f64, 2>, gas: &Gas<'_, f64, 2>, after: bool| {
             if !after {
-                before = held(domain, &gas);
+                before = held(domain, gas);
                 return;
             }
-            let now = held(domain, &gas);
+            let now = held(domain, gas);
             for particle in &before {
                 // Those that came in meanwhile are free.
                 if domain.beyond(&gas.position[particle.0]).is_some() {
@@ -527,7 +526,7 @@ fn on_device<S: Scalar>(stream: Stream, steps: usize) -> (Result<u64, Error>, us
     let solver = stream.solver::<S, _, 1>(&materials, Plain::DEFAULT);
     let layer = stream.layer::<S, 1>();
     let opening = stream.opening(&layer);
-    let mut storage = GasStorage::<S, 1, N, CELLS>::new();
+    let mut storage = PlainStorage::<S, 1, N, CELLS>::new();
     for particle in disturbed::<S, 1>(stream) {
         storage.push(particle).unwrap();
     }

@@ -4,8 +4,6 @@ use core::fmt;
 
 use xxhash_rust::xxh64::xxh64;
 
-use crate::equation::gas::Gas;
-use crate::equation::linear::State;
 use crate::scalar::Scalar;
 
 /// A chain of XXH64: printed as 16 hexadecimal digits.
@@ -46,56 +44,23 @@ impl Digester {
         }
     }
 
-    /// Adds an array of vectors, in id order, each by components.
-    pub fn vectors<S: Scalar, const D: usize>(&mut self, values: &[[S; D]]) {
-        for value in values {
-            self.scalars(value);
-        }
-    }
-
-    /// Adds an array of vectors of sums of products: each 16 bytes, zero-extended.
-    pub fn wide<S: Scalar, const P: usize>(&mut self, values: &[[S::Wide; P]]) {
+    /// Adds an array of sums of products: each 16 bytes, zero-extended.
+    pub fn wide<S: Scalar>(&mut self, values: &[S::Wide]) {
         let nothing = S::product(S::ZERO, S::ZERO);
-        for &value in values.iter().flatten() {
+        for &value in values {
             // As for scalars: both zeros have one digest.
             let bytes = S::wide_bits(S::wide_sum(value, nothing)).to_le_bytes();
             self.0 = xxh64(&bytes, self.0);
         }
     }
 
+    /// Adds whole numbers.
+    pub fn integers(&mut self, values: &[u8]) {
+        self.0 = xxh64(values, self.0);
+    }
+
     /// The digest of all that was added.
     pub fn digest(&self) -> Digest {
         Digest(self.0)
-    }
-}
-
-impl<S: Scalar, const D: usize> Gas<'_, S, D> {
-    /// The digest of the state: position, velocity, energy, mass, ε, density, force, power,
-    /// its slope and the factor of the viscosity, each for all particles in id order.
-    pub fn digest(&self) -> Digest {
-        let mut digester = Digester::new();
-        digester.vectors(self.position);
-        digester.vectors(self.velocity);
-        digester.scalars(self.energy);
-        digester.scalars(self.mass);
-        digester.scalars(self.epsilon);
-        digester.scalars(self.density);
-        digester.vectors(self.force);
-        digester.scalars(self.power);
-        digester.scalars(self.power_slope);
-        digester.scalars(self.viscosity_factor);
-        digester.digest()
-    }
-}
-
-impl<S: Scalar, const D: usize, const P: usize> State<'_, S, D, P> {
-    /// The digest of the state: position, weight and strength, each for all particles in id
-    /// order.
-    pub fn digest(&self) -> Digest {
-        let mut digester = Digester::new();
-        digester.vectors(self.position);
-        digester.scalars(self.weight);
-        digester.wide::<S, P>(self.strength);
-        digester.digest()
     }
 }

@@ -38,6 +38,22 @@ pub enum Quantity {
     Strength,
 }
 
+/// A number that is set from outside, between steps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Parameter {
+    /// What drives the lower (0) or upper (1) wall across a direction.
+    Wall {
+        /// The direction, from 0.
+        axis: u8,
+        /// Which of its ends.
+        end: u8,
+    },
+    /// The external acceleration.
+    Acceleration,
+    /// The state of what comes in.
+    Inflow,
+}
+
 /// An error of the core. `particle` is an id: the place in the caller's arrays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Error {
@@ -101,6 +117,11 @@ pub enum Error {
         /// Id of the particle.
         particle: u32,
     },
+    /// A number set from outside that is not finite. The state has not met it.
+    Parameter {
+        /// Which.
+        parameter: Parameter,
+    },
     /// The time step is below the resolution of the time.
     Stalled,
     /// Internal energy below zero.
@@ -141,6 +162,19 @@ impl fmt::Display for Quantity {
             Self::Weight => "weight",
             Self::Strength => "strength",
         })
+    }
+}
+
+impl fmt::Display for Parameter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Wall { axis, end } => {
+                let end = if *end == 0 { "lower" } else { "upper" };
+                write!(f, "what drives the {end} wall in direction {axis}")
+            }
+            Self::Acceleration => f.write_str("the external acceleration"),
+            Self::Inflow => f.write_str("the state of the inflow"),
+        }
     }
 }
 
@@ -201,6 +235,10 @@ impl fmt::Display for Error {
                 f,
                 "epsilon of particle {particle} did not settle: use a larger eta or a smaller \
                  time step"
+            ),
+            Self::Parameter { parameter } => write!(
+                f,
+                "{parameter} is not a finite number: the state is as it was; set it and step again"
             ),
             Self::Stalled => f.write_str(
                 "the time step is below the resolution of the time in this number format: use a \

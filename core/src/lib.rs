@@ -6,6 +6,7 @@
 #[cfg(test)]
 extern crate std;
 
+pub mod cloud;
 pub mod cutoff;
 pub mod digest;
 pub mod domain;

@@ -1,16 +1,17 @@
 //! Sod's shock tube.
 
-use motes_core::equation::gas::{Gas, GasStorage};
+use motes_core::equation::gas::{Gas, PlainStorage};
 use motes_core::error::Error;
-use motes_core::integrator::Clock;
+use motes_core::integrator::{LeapFrog, Stepper};
 use motes_core::pairs::HalfLoop;
 use motes_core::scalar::Scalar;
 
 use crate::console::Console;
+use crate::steps::complete;
 use crate::tube::{CELLS, CUT_OFF, EXACT_DENSITY, NAME, PARTICLES, TUBE, WINDOW, viscosity};
 
 /// A tube of gas in static memory.
-pub type Storage<S> = GasStorage<S, 1, PARTICLES, CELLS>;
+pub type Storage<S> = PlainStorage<S, 1, PARTICLES, CELLS>;
 
 /// Runs the tube in one scalar and prints its line: behind the digest the L1 error of the density
 /// in units of 10^-9 of the unit of density. `false` where the run failed.
@@ -38,24 +39,20 @@ fn run<S: Scalar>(storage: Option<&mut Storage<S>>) -> Result<(u64, f64), Error>
     let storage = storage.ok_or(Error::Lengths)?;
     let materials = [TUBE.material()];
     let solver = TUBE.solver(CUT_OFF, viscosity(), &materials);
-    for particle in TUBE.particles() {
-        storage.push(particle)?;
-    }
-    let (mut gas, mut work) = storage.parts();
-    let mut clock = Clock::new(TUBE.duration());
-    solver.prepare(&mut HalfLoop, &mut gas, &mut work)?;
-    while let Some(left) = clock.left() {
-        let dt = solver.time_step(&gas, left)?;
-        solver.advance(&mut HalfLoop, &mut gas, &mut work, dt)?;
-        clock.tick(dt)?;
-    }
-    Ok((gas.digest().0, density_error(&gas)))
+    TUBE.fill(|particle| storage.push(particle))?;
+    let mut run = Stepper::new(solver, LeapFrog, HalfLoop, storage)?.until(TUBE.duration());
+    let digest = complete(&mut run)?;
+    Ok((digest, density_error(&run.state())))
 }
 
 /// `Σ V_k |ρ_k - ρ| / Σ V_k` over the window, `V_k = m_k/ρ_k`.
 fn density_error<S: Scalar>(gas: &Gas<'_, S, 1>) -> f64 {
     let (mut sum, mut total) = (0.0, 0.0);
-    let particles = gas.position.iter().zip(gas.density.iter()).zip(gas.mass);
+    let particles = gas
+        .position
+        .iter()
+        .zip(gas.density.iter())
+        .zip(gas.mass.iter());
     for ((&[x], density), mass) in particles {
         let (x, density) = (x.to_f64(), density.to_f64());
         if (WINDOW[0]..=WINDOW[1]).contains(&x) {

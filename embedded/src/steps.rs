@@ -1,9 +1,26 @@
 //! The instructions of the steps of a run.
 
+use motes_core::cloud::Columns;
+use motes_core::equation::{Dynamics, Storage};
 use motes_core::error::Error;
+use motes_core::integrator::Stepper;
+use motes_core::pairs::Engine;
+use motes_core::scalar::Scalar;
 
 use crate::console::Console;
 use crate::stopwatch::Stopwatch;
+
+/// Runs to the end; the digest of the last state.
+pub fn complete<S, Y, E, M, const D: usize>(run: &mut Stepper<S, Y, E, M, D>) -> Result<u64, Error>
+where
+    S: Scalar,
+    Y: Dynamics<S, D>,
+    E: Engine<S, D>,
+    M: Storage<S, Y, D>,
+{
+    while run.step()?.is_some() {}
+    Ok(run.state().digest().0)
+}
 
 /// Instructions of a step.
 pub struct Steps {

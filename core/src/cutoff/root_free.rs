@@ -22,6 +22,17 @@ pub(super) fn power<N: Number>(t: N, n: usize) -> N {
     result
 }
 
+/// `∫ (1-q²)ᵐ`, with a volume of the ball in `dimension` dimensions: a constant where it is used.
+pub(super) const fn integral(ball: f64, m: usize, dimension: usize) -> f64 {
+    let mut integral = ball;
+    let mut i = 1;
+    while i <= m {
+        integral *= 2.0 * i as f64 / (2 * i + dimension) as f64;
+        i += 1;
+    }
+    integral
+}
+
 impl<const M: usize> CutOff for RootFree<M> {
     #[inline(always)]
     fn support(self) -> u32 {
@@ -32,16 +43,16 @@ impl<const M: usize> CutOff for RootFree<M> {
         M as u32
     }
 
+    #[inline(always)]
     fn normalisation<const D: usize>(self) -> f64 {
-        let mut integral = match D {
-            1 => 2.0,
-            2 => PI,
-            _ => 4.0 * PI / 3.0,
-        };
-        for m in 1..=M {
-            integral *= 2.0 * m as f64 / (2 * m + D) as f64;
+        const {
+            let ball = match D {
+                1 => 2.0,
+                2 => PI,
+                _ => 4.0 * PI / 3.0,
+            };
+            1.0 / integral(ball, M, D)
         }
-        1.0 / integral
     }
 
     #[inline(always)]

@@ -2,7 +2,7 @@
 
 use core::f64::consts::PI;
 
-use super::root_free::power;
+use super::root_free::{integral, power};
 use super::{CutOff, positive};
 use crate::scalar::{Number, Scalar};
 
@@ -70,17 +70,17 @@ impl<const M: usize, const R: usize> CutOff for Smooth<M, R> {
         M as u32
     }
 
+    #[inline(always)]
     fn normalisation<const D: usize>(self) -> f64 {
-        // 3^D times the integral of (1-q²)^N, as for the root-free cut-off.
-        let mut integral = match D {
-            1 => 6.0,
-            2 => 9.0 * PI,
-            _ => 36.0 * PI,
-        };
-        for m in 1..=Self::HIGHEST {
-            integral *= 2.0 * m as f64 / (2 * m + D) as f64;
+        const {
+            // 3^D times that of the root-free cut-off.
+            let ball = match D {
+                1 => 6.0,
+                2 => 9.0 * PI,
+                _ => 36.0 * PI,
+            };
+            1.0 / integral(ball, Self::HIGHEST, D)
         }
-        1.0 / integral
     }
 
     #[inline(always)]

@@ -24,6 +24,12 @@ impl<S: Scalar> Clock<S> {
         }
     }
 
+    /// A run without an end, at its start. A time that grows so large that it no longer feels a
+    /// step is an error ([`Error::Stalled`]): set it back before, where nothing depends on it.
+    pub const fn endless() -> Self {
+        Self::new(S::LARGEST)
+    }
+
     /// The time that is left; `None` when the run is over.
     pub fn left(&self) -> Option<S> {
         let left = self.end - self.time;

@@ -1,13 +1,13 @@
 //! Steps of convection-diffusion: all at once, or transport and diffusion in turns.
 
+use crate::cloud::{Place, Register, State, VelocityField};
+use crate::cloud::{accumulate, clear, put, remember};
 use crate::cutoff::CutOff;
 use crate::equation::diffusion::{DiffusionDynamics, DiffusionProblem, DiffusionWorkspace};
-use crate::equation::linear::{Place, Register, State, VelocityField};
 use crate::error::Error;
 use crate::pairs::Engine;
 use crate::scalar::Scalar;
 
-use super::registers::{accumulate, clear, put, remember};
 use super::rkl2::{MOST_STAGES, Rkl2, Stabilised};
 use super::runge_kutta::{From, RungeKutta, SemiDiscrete};
 
@@ -55,7 +55,7 @@ where
         let dynamics = self.dynamics;
         let still = dynamics.field.is_still();
         if !still {
-            self.work.grid = None;
+            *self.work.grid = None;
         }
         let moved = (!still).then_some((&dynamics.domain, dt));
         let registers = (&*self.work.start, rates);
@@ -191,7 +191,7 @@ where
         if self.field.is_still() {
             return Ok(());
         }
-        work.grid = None;
+        *work.grid = None;
         let (half, sixth) = (dt.half(), dt / S::count(6));
         for id in 0..state.len() {
             let Some(row) = state.row(id) else { break };

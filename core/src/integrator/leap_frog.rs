@@ -25,7 +25,7 @@ where
         &self,
         engine: &mut impl Engine<S, D>,
         gas: &mut Gas<'_, S, D>,
-        work: &mut Workspace<'_, S, D>,
+        work: &mut Workspace<'_, S, P::Shown, D>,
         dt: S,
     ) -> Result<(), Error> {
         let half = dt.half();

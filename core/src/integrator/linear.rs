@@ -3,6 +3,7 @@
 #[cfg(test)]
 mod tests;
 
+use crate::cloud::{accumulate, clear, put, remember};
 use crate::cutoff::CutOff;
 use crate::equation::linear::{
     FirstOrderSystem, LinearDynamics, LinearWorkspace, Register, Stability, State, VelocityField,
@@ -11,7 +12,6 @@ use crate::error::Error;
 use crate::pairs::Engine;
 use crate::scalar::Scalar;
 
-use super::registers::{accumulate, clear, put, remember};
 use super::runge_kutta::{From, RungeKutta, SemiDiscrete};
 
 /// A solver with the state that it moves.

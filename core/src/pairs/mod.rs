@@ -22,4 +22,4 @@ pub use kernel::{Kernel, Operands, Portable, Receivers, find, sum};
 pub use lanes::{Block, Blocks, List, lanes};
 pub use law::{Law, Separation, Settled};
 pub use plain::{plain, receive_at};
-pub use record::Fields;
+pub use record::{Fields, Nothing};

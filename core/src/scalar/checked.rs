@@ -164,6 +164,7 @@ impl<S: Scalar> Scalar for Checked<S> {
     const CELL_LIMIT: u32 = S::CELL_LIMIT;
     const EXTRAPOLATION: Self = Self::new(S::EXTRAPOLATION);
     const TINIEST: Self = Self::new(S::TINIEST);
+    const LARGEST: Self = Self::new(S::LARGEST);
 
     type Wide = CheckedWide<S>;
     fn product(a: Self, b: Self) -> CheckedWide<S> {
@@ -198,6 +199,16 @@ impl<S: Scalar> Scalar for Checked<S> {
     }
     fn from_f64(value: f64) -> Self {
         Self::of(S::from_f64(value), value, false)
+    }
+    fn from_f32(value: f32) -> Self {
+        Self::of(S::from_f32(value), f64::from(value), false)
+    }
+    fn from_i32(n: i32) -> Self {
+        Self::of(S::from_i32(n), f64::from(n), false)
+    }
+    /// Without a mark: the pattern holds none.
+    fn from_bits(bits: u64) -> Self {
+        Self::new(S::from_bits(bits))
     }
     fn to_f64(self) -> f64 {
         self.value.to_f64()

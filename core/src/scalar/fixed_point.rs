@@ -12,6 +12,7 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 use fixed::types::extra::Unsigned;
 use fixed::{FixedI32, FixedI64};
 
+use super::binary::Binary;
 use super::{Number, Scalar};
 
 macro_rules! fixed_point {
@@ -40,6 +41,17 @@ macro_rules! fixed_point {
             #[inline(always)]
             pub const fn to_bits(self) -> $int {
                 self.0.to_bits()
+            }
+            /// A binary number, rounded half away from zero; saturates.
+            #[inline(always)]
+            fn nearest(binary: Binary) -> Self {
+                let size = binary.times_two_to(Self::FRACTION);
+                Self::from_bits(match <$int>::try_from(size) {
+                    Ok(size) if binary.is_negative => -size,
+                    Ok(size) => size,
+                    Err(_) if binary.is_negative => <$int>::MIN,
+                    Err(_) => <$int>::MAX,
+                })
             }
             /// A double-width product or sum of products, rounded half away from zero.
             #[inline(always)]
@@ -196,6 +208,7 @@ macro_rules! fixed_point {
             const CELL_LIMIT: u32 = 1 << 30;
             const EXTRAPOLATION: Self = Self::from_bits(1 << (F::U32 - F::U32 / 2));
             const TINIEST: Self = Self::from_bits(1);
+            const LARGEST: Self = Self::from_bits(<$int>::MAX);
 
             type Wide = $wide;
             #[inline(always)]
@@ -226,9 +239,29 @@ macro_rules! fixed_point {
             }
             #[inline(always)]
             fn from_f64(value: f64) -> Self {
-                let scaled = value * ((1 as $wide_unsigned) << Self::FRACTION) as f64;
-                let half = if scaled < 0.0 { -0.5 } else { 0.5 };
-                Self::from_bits((scaled + half) as $int)
+                match Binary::of_f64(value) {
+                    Some(binary) => Self::nearest(binary),
+                    None => Self::ZERO,
+                }
+            }
+            #[inline(always)]
+            fn from_f32(value: f32) -> Self {
+                match Binary::of_f32(value) {
+                    Some(binary) => Self::nearest(binary),
+                    None => Self::ZERO,
+                }
+            }
+            #[inline(always)]
+            fn from_i32(n: i32) -> Self {
+                Self::nearest(Binary {
+                    is_negative: n < 0,
+                    significand: n.unsigned_abs().into(),
+                    exponent: 0,
+                })
+            }
+            #[inline(always)]
+            fn from_bits(bits: u64) -> Self {
+                Self::from_bits(bits as $int)
             }
             #[inline(always)]
             fn to_f64(self) -> f64 {

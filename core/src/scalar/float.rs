@@ -6,7 +6,7 @@ use super::{Number, Scalar};
 extern crate std;
 
 macro_rules! float {
-    ($float:ty, $sqrt:path, $reach:expr, $cells:expr, $extrapolation:expr) => {
+    ($float:ty, $unsigned:ty, $sqrt:path, $reach:expr, $cells:expr, $extrapolation:expr) => {
         impl Number for $float {
             type Scalar = $float;
             const LANES: usize = 1;
@@ -78,6 +78,7 @@ macro_rules! float {
             const CELL_LIMIT: u32 = $cells;
             const EXTRAPOLATION: Self = $extrapolation;
             const TINIEST: Self = <$float>::MIN_POSITIVE;
+            const LARGEST: Self = <$float>::MAX;
 
             type Wide = Self;
             #[inline(always)]
@@ -111,6 +112,18 @@ macro_rules! float {
                 value as $float
             }
             #[inline(always)]
+            fn from_f32(value: f32) -> Self {
+                <$float>::from(value)
+            }
+            #[inline(always)]
+            fn from_i32(n: i32) -> Self {
+                n as $float
+            }
+            #[inline(always)]
+            fn from_bits(bits: u64) -> Self {
+                <$float>::from_bits(bits as $unsigned)
+            }
+            #[inline(always)]
             fn to_f64(self) -> f64 {
                 f64::from(self)
             }
@@ -140,5 +153,5 @@ macro_rules! float {
 }
 
 // f32: an index below 2^16 is off by less than 2 * 2^-24 * 2^16 = 2^-7 of a cell.
-float!(f32, libm::sqrtf, 1e18, 1 << 16, 1.0 / 256.0);
-float!(f64, libm::sqrt, 1e150, 1 << 30, 1.0 / 16384.0);
+float!(f32, u32, libm::sqrtf, 1e18, 1 << 16, 1.0 / 256.0);
+float!(f64, u64, libm::sqrt, 1e150, 1 << 30, 1.0 / 16384.0);

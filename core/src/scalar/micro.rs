@@ -114,6 +114,7 @@ impl Scalar for Micro {
     const CELL_LIMIT: u32 = f32::CELL_LIMIT;
     const EXTRAPOLATION: Self = Self(f32::EXTRAPOLATION);
     const TINIEST: Self = Self(f32::TINIEST);
+    const LARGEST: Self = Self(f32::LARGEST);
 
     type Wide = Self;
     #[inline(always)]
@@ -144,6 +145,18 @@ impl Scalar for Micro {
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
         Self(f32::from_f64(value))
+    }
+    #[inline(always)]
+    fn from_f32(value: f32) -> Self {
+        Self(value)
+    }
+    #[inline(always)]
+    fn from_i32(n: i32) -> Self {
+        Self(f32::from_i32(n))
+    }
+    #[inline(always)]
+    fn from_bits(bits: u64) -> Self {
+        Self(<f32 as Scalar>::from_bits(bits))
     }
     #[inline(always)]
     fn to_f64(self) -> f64 {

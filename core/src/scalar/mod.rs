@@ -4,6 +4,7 @@
 //! [`Lanes`], a small array of scalars that are worked on together. Only `+ - * /`,
 //! square roots, minima, maxima and one comparison are used, each defined to the last bit.
 
+mod binary;
 mod checked;
 mod fixed_point;
 mod float;
@@ -91,6 +92,8 @@ pub trait Scalar: Number<Scalar = Self> + PartialOrd + Debug + Send + Sync + 'st
     const EXTRAPOLATION: Self;
     /// The smallest positive number with all its digits: a divisor in place of 0.
     const TINIEST: Self;
+    /// The largest number.
+    const LARGEST: Self;
 
     /// What an exact product of two scalars is kept in: double width in fixed point.
     type Wide: Copy + Debug + Send + Sync + 'static;
@@ -109,8 +112,19 @@ pub trait Scalar: Number<Scalar = Self> + PartialOrd + Debug + Send + Sync + 'st
     /// A component of a displacement, cut off at ±[`Scalar::REACH_LIMIT`].
     fn near(self) -> Self;
 
-    /// The constant nearest to `value`; ties away from zero in fixed point, saturating.
+    /// The number nearest to `value`: ties to even in floats, away from zero in fixed point, where
+    /// it saturates and NaN is 0.
+    ///
+    /// Of a constant it is a constant: no arithmetic is left for the run, nor any of `f64` where a
+    /// fixed-point number is made of a variable.
     fn from_f64(value: f64) -> Self;
+    /// The number nearest to `value`, as [`Scalar::from_f64`].
+    fn from_f32(value: f32) -> Self;
+    /// The number nearest to `n`, as [`Scalar::from_f64`].
+    fn from_i32(n: i32) -> Self;
+    /// The number with that bit pattern, of which only the lowest [`Scalar::BYTES`] count: the
+    /// inverse of [`Scalar::bits`].
+    fn from_bits(bits: u64) -> Self;
     /// The value as `f64`, for reports; never used by the solver.
     fn to_f64(self) -> f64;
     /// The bit pattern, zero-extended.

@@ -1,5 +1,7 @@
 //! Fixed point against exact rational arithmetic; lanes against scalars.
 
+mod conversions;
+
 use fixed::types::extra::{U8, U19, U31};
 use proptest::prelude::*;
 

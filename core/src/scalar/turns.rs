@@ -3,6 +3,9 @@
 
 use super::Scalar;
 
+/// Of a polynomial of degree 18.
+const TERMS: usize = 10;
+
 /// `sin(2π x)`; in f64 within 2e-15 for `|x| < 1`, else within the rounding of `x`.
 pub fn sine_of_turns<S: Scalar>(x: S) -> S {
     let sign = if x < S::ZERO { -S::ONE } else { S::ONE };
@@ -33,25 +36,32 @@ pub fn cosine_of_turns<S: Scalar>(x: S) -> S {
 
 /// `sin(π/4 y)`, `0 <= y <= 1`: Taylor's polynomial of degree 17, off by less than 1e-18.
 fn odd<S: Scalar>(y: S) -> S {
-    y * series(y, 1)
+    y * series(y, const { &coefficients(1) })
 }
 
 /// `cos(π/4 y)`, `0 <= y <= 1`: of degree 18.
 fn even<S: Scalar>(y: S) -> S {
-    series(y, 0)
+    series(y, const { &coefficients(0) })
 }
 
-/// `Σ_j (-1)ʲ (π/4)^(2j+first) y^(2j) / (2j+first)!`.
-fn series<S: Scalar>(y: S, first: u32) -> S {
-    const TERMS: usize = 9;
+/// Of Taylor's polynomial in the square of `y`: `(-1)ʲ (π/4)^(2j+first) / (2j+first)!`.
+const fn coefficients(first: u32) -> [f64; TERMS] {
     let eighth = core::f64::consts::FRAC_PI_4;
-    let mut coefficients = [0.0; TERMS + 1];
+    let mut coefficients = [0.0; TERMS];
     let mut coefficient = if first == 0 { 1.0 } else { eighth };
-    for (j, place) in (0u32..).zip(coefficients.iter_mut()) {
-        *place = coefficient;
-        let n = 2 * j + first;
-        coefficient *= -eighth * eighth / f64::from((n + 1) * (n + 2));
+    let mut j = 0;
+    while j < TERMS {
+        coefficients[j] = coefficient;
+        let n = 2 * j as u32 + first;
+        coefficient *= -eighth * eighth / ((n + 1) * (n + 2)) as f64;
+        j += 1;
     }
+    coefficients
+}
+
+/// `Σ_j c_j y^(2j)`.
+#[inline(always)]
+fn series<S: Scalar>(y: S, coefficients: &[f64; TERMS]) -> S {
     let square = y * y;
     let mut sum = S::ZERO;
     for &coefficient in coefficients.iter().rev() {

@@ -13,7 +13,7 @@ use motes_core::integrator::{RK4, RungeKutta, SSP_RK3};
 use motes_core::scalar::{Q32, Q64, Scalar};
 use motes_firmware::acoustics::{CUT_OFF, LINE, NAME, PARTICLES, motion, system};
 use motes_firmware::console::Console;
-use motes_firmware::linear::{Run, Storage};
+use motes_firmware::linear::{Storage, start};
 use motes_firmware::steps::{self, Steps};
 use motes_firmware::stopwatch::Stopwatch;
 use static_cell::ConstStaticCell;
@@ -65,11 +65,7 @@ fn count<S: Scalar>(
     method: RungeKutta,
     stopwatch: &Stopwatch,
 ) -> Result<Steps, Error> {
-    let mut run = Run::new(
-        storage,
-        &LINE,
-        (CUT_OFF, system::<S>(), motion::<S>()),
-        method,
-    )?;
-    Steps::count(stopwatch, u32::MAX, || run.step())
+    let equation = (CUT_OFF, system::<S>(), motion::<S>());
+    let mut run = start(storage, &LINE, equation, method)?;
+    Steps::count(stopwatch, u32::MAX, || Ok(run.step()?.is_some()))
 }

@@ -10,7 +10,7 @@ use cortex_m_rt::entry;
 use fixed::types::extra::U16;
 use motes_core::scalar::{Q32, Scalar};
 use motes_firmware::console::Console;
-use motes_firmware::diffusion::{Run, Storage};
+use motes_firmware::diffusion::{Storage, start};
 use motes_firmware::steps::{self, Steps};
 use motes_firmware::stopwatch::Stopwatch;
 use motes_firmware::wall::{NAME, PARTICLES};
@@ -35,8 +35,9 @@ fn main() -> ! {
 #[inline(never)]
 fn count<S: Scalar>(scalar: &str, stopwatch: &Stopwatch, console: &mut Console) -> bool {
     let mut storage = Storage::<S>::new();
-    let run = Run::new(&mut storage);
-    let steps = run.and_then(|mut run| Steps::count(stopwatch, STEPS, || run.step()));
+    let run = start(&mut storage);
+    let steps =
+        run.and_then(|mut run| Steps::count(stopwatch, STEPS, || Ok(run.step()?.is_some())));
     console.row(NAME, PARTICLES, scalar);
     steps::report("rkl2", &steps, size_of::<Storage<S>>(), console)
 }

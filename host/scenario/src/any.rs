@@ -1,11 +1,11 @@
 //! A scenario of either family.
 
-use super::check;
-use super::error::ScenarioError;
-use super::linear::{LinearScenario, Measured, Probe, Series};
-use super::source::Source;
-use super::tolerance::Tolerance;
-use super::{Extent, Family, Ring, Scenario, Snapshots, Units};
+use crate::check;
+use crate::error::ScenarioError;
+use crate::linear::{LinearScenario, Measured, Probe, Series};
+use crate::source::Source;
+use crate::tolerance::Tolerance;
+use crate::{Extent, Family, Ring, Scenario, Snapshots, Units};
 
 /// A scenario, whatever it describes.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,6 @@
 //! The ranges of numbers that several keys share.
 
-use super::entry::Bound;
+use crate::entry::Bound;
 
 pub(super) const POSITIVE: Bound = Bound {
     need: "> 0",

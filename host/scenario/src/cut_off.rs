@@ -2,11 +2,11 @@
 
 use motes_core::cutoff::{CutOff as _, Named};
 
-use super::bound::{POSITIVE, THETA};
-use super::entry::Entry;
-use super::error::Fault;
-use super::problem::Problem;
-use super::section::Section;
+use crate::bound::{POSITIVE, THETA};
+use crate::entry::Entry;
+use crate::error::Fault;
+use crate::problem::Problem;
+use crate::section::Section;
 
 /// The cut-off: its shape and its width.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,10 +5,10 @@ use std::ops::{Range, RangeInclusive};
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::error::Fault;
-use super::keys::Family;
-use super::problem::Problem;
-use super::section::Section;
+use crate::error::Fault;
+use crate::keys::Family;
+use crate::problem::Problem;
+use crate::section::Section;
 
 type Value<'a> = Spanned<DeValue<'a>>;
 

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
 
-use super::problem::Problem;
+use crate::problem::Problem;
 
 /// Why a scenario was refused, where in which text, and what to do.
 ///

@@ -4,9 +4,9 @@ use std::borrow::Cow;
 use std::io::ErrorKind;
 use std::path::Path;
 
-use super::builtin::shipped_file;
-use super::entry::Entry;
-use super::error::Fault;
+use crate::builtin::shipped_file;
+use crate::entry::Entry;
+use crate::error::Fault;
 
 /// Where the files are that a scenario names.
 #[derive(Debug, Clone, Copy)]

@@ -1,11 +1,11 @@
-//! The boxes and balls of a scenario: domain, regions, deposits, window.
+//! Boxes, balls and points as they are read, and the domain.
 
-use super::bound::POSITIVE;
-use super::entry::Entry;
-use super::error::Fault;
-use super::problem::Problem;
-use super::section::Section;
-use super::{Ball, Domain, Extent, Region, Side};
+use crate::bound::POSITIVE;
+use crate::entry::Entry;
+use crate::error::Fault;
+use crate::problem::Problem;
+use crate::section::Section;
+use crate::{Ball, Domain, Extent, Side};
 
 const SIDES: &[(&str, Side)] = &[
     ("periodic", Side::Periodic),
@@ -99,45 +99,6 @@ fn sides(entry: &Entry<'_>) -> Result<[Side; 2], Fault> {
     Ok(pair)
 }
 
-/// That `extent`, of the region `section`, shares no volume with the earlier `regions`.
-pub(super) fn clear_of_overlap(
-    section: &Section<'_>,
-    extent: &Extent,
-    regions: &[Region],
-) -> Result<(), Fault> {
-    for (first, other) in regions.iter().enumerate() {
-        if other.ball.is_some() {
-            continue;
-        }
-        let Some((axis, lower, upper)) = shared(extent, &other.extent) else {
-            continue;
-        };
-        let second = regions.len();
-        let problem = Problem::Overlap {
-            first,
-            second,
-            axis,
-            lower,
-            upper,
-        };
-        return Err(section.required("lower")?.fault(problem));
-    }
-    Ok(())
-}
-
-/// The direction in which two overlapping boxes share least, and what they share there.
-fn shared(a: &Extent, b: &Extent) -> Option<(char, f64, f64)> {
-    let lower = a.lower.iter().zip(&b.lower).map(|(a, b)| a.max(*b));
-    let upper = a.upper.iter().zip(&b.upper).map(|(a, b)| a.min(*b));
-    let shared: Vec<_> = AXES.into_iter().zip(lower).zip(upper).collect();
-    let overlaps = shared.iter().all(|((_, lower), upper)| lower < upper);
-    let thinnest = shared
-        .into_iter()
-        .map(|((axis, lower), upper)| (axis, lower, upper))
-        .min_by(|(_, l, u), (_, m, v)| (u - l).total_cmp(&(v - m)));
-    thinnest.filter(|_| overlaps)
-}
-
 /// A point that must lie in the domain.
 pub(super) fn point_inside(entry: &Entry<'_>, domain: &Extent) -> Result<Vec<f64>, Fault> {
     let point = entry.vector(domain.lower.len())?;
@@ -167,27 +128,4 @@ pub(super) fn ball(section: &Section<'_>, domain: &Extent) -> Result<Ball, Fault
     let center = point_inside(&section.required("center")?, domain)?;
     let radius = section.required("radius")?.number(POSITIVE)?;
     Ok(Ball { center, radius })
-}
-
-/// The direction across which two boxes touch, or why they are no Riemann problem.
-pub(super) fn riemann_direction(regions: &[Region]) -> Result<usize, String> {
-    let [a, b] = regions else {
-        let count = regions.len();
-        return Err(format!("the number of regions is {count}"));
-    };
-    if a.ball.is_some() || b.ball.is_some() {
-        return Err("a region is a ball".to_owned());
-    }
-    let (a, b) = (&a.extent, &b.extent);
-    let touch = |&i: &usize| a.upper[i] == b.lower[i] || b.upper[i] == a.lower[i];
-    let direction = (0..a.lower.len()).find(touch);
-    let direction = direction.ok_or_else(|| "the two regions do not touch".to_owned())?;
-    let mut others = (0..a.lower.len()).filter(|&i| i != direction);
-    match others.find(|&i| [a.lower[i], a.upper[i]] != [b.lower[i], b.upper[i]]) {
-        Some(i) => Err(format!(
-            "the two regions span unequal stretches along {}",
-            AXES[i]
-        )),
-        None => Ok(direction),
-    }
 }

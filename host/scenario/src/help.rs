@@ -1,8 +1,8 @@
 //! The cure of each problem.
 
-use super::keys::Family;
-use super::nearest::nearest;
-use super::problem::{Problem, within};
+use crate::keys::Family;
+use crate::nearest::nearest;
+use crate::problem::{Problem, within};
 
 impl Problem {
     /// The cure.

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use thiserror::Error;
 
-use super::keys::{Family, LISTS};
+use crate::keys::{Family, LISTS};
 
 /// What is wrong with a scenario. `Display` states it with the offending value;
 /// [`Problem::help`] tells the cure.

@@ -4,10 +4,10 @@ use std::ops::Range;
 
 use toml::de::DeTable;
 
-use super::entry::{Bound, Entry, shown};
-use super::error::Fault;
-use super::keys::{self, Family, example};
-use super::problem::Problem;
+use crate::entry::{Bound, Entry, shown};
+use crate::error::Fault;
+use crate::keys::{self, Family, example};
+use crate::problem::Problem;
 
 /// A section of which every key is known.
 #[derive(Debug, Clone)]

@@ -4,10 +4,10 @@ use std::fmt;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use super::builtin::{BUILT_IN, built_in};
-use super::error::{Place, ScenarioError};
-use super::files::Files;
-use super::problem::Problem;
+use crate::builtin::{BUILT_IN, built_in};
+use crate::error::{Place, ScenarioError};
+use crate::files::Files;
+use crate::problem::Problem;
 
 /// What a scenario is read from.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,9 +1,9 @@
 //! What errors may be: `[tolerance.FIELD]`.
 
-use super::bound::POSITIVE;
-use super::error::Fault;
-use super::keys::TOLERANCE;
-use super::section::Section;
+use crate::bound::POSITIVE;
+use crate::error::Fault;
+use crate::keys::TOLERANCE;
+use crate::section::Section;
 
 /// The largest error that a field may have; `F` names the fields.
 #[derive(Debug, Clone, PartialEq)]

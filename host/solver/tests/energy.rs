@@ -11,7 +11,7 @@ use motes_core::equation::gas::viscosity::{
 };
 use motes_core::equation::gas::{Diffusion, EnergyForm, Gas, Options, Plain, Switch, Width};
 use motes_solver::engine::Threads;
-use motes_solver::families::gas::GasArrays;
+use motes_solver::families::gas::OptionsArrays;
 
 const ADAPTIVE: Width<f64> = Width::Adaptive { eta: 1.2 };
 
@@ -163,7 +163,7 @@ fn smooth() -> Cloud {
 }
 
 /// The state at time 2 after steps of that length, and the drift of its energy.
-fn after<const D: usize>(options: Options<f64, D>, dt: f64) -> (GasArrays<f64, D>, f64) {
+fn after<const D: usize>(options: Options<f64, D>, dt: f64) -> (OptionsArrays<f64, D>, f64) {
     let cloud = smooth();
     let sides = [[Side::Periodic; 2]; D];
     let viscosity = Named::Inviscid;
@@ -187,7 +187,7 @@ fn after<const D: usize>(options: Options<f64, D>, dt: f64) -> (GasArrays<f64, D
 }
 
 /// The largest difference of two states in velocity and internal energy.
-fn difference<const D: usize>(a: &mut GasArrays<f64, D>, b: &mut GasArrays<f64, D>) -> f64 {
+fn difference<const D: usize>(a: &mut OptionsArrays<f64, D>, b: &mut OptionsArrays<f64, D>) -> f64 {
     let ((a, _), (b, _)) = (a.parts(), b.parts());
     let velocities = a
         .velocity

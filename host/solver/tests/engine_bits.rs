@@ -121,7 +121,7 @@ fn run<S: Scalar, const D: usize, C: CutOff, V: Viscosity<S>, P: Case<S, D>>(
     engine: &mut impl Engine<S, D>,
     steps: usize,
 ) -> Result<Digest, Error> {
-    let mut arrays = cloud.arrays_of_two::<S, D>(&solver.physics.options());
+    let mut arrays = cloud.arrays_of_two::<S, P::Shown, D>(&solver.physics.options());
     let (mut gas, mut work) = arrays.parts();
     solver.prepare(engine, &mut gas, &mut work)?;
     for _ in 0..steps {
@@ -129,6 +129,19 @@ fn run<S: Scalar, const D: usize, C: CutOff, V: Viscosity<S>, P: Case<S, D>>(
         solver.advance(engine, &mut gas, &mut work, dt)?;
     }
     Ok(gas.digest())
+}
+
+/// The digest after three steps with the default cut-off and viscosity.
+fn after_steps<P: Case<f32, 2>>(
+    cloud: &Cloud,
+    physics: P,
+    sides: [[Side; 2]; 2],
+) -> Result<Digest, Error> {
+    let width = Width::Adaptive {
+        eta: cloud.eta as f32,
+    };
+    let solver = cloud.following(physics, sides, CubicSpline, width, pairwise());
+    run(cloud, &solver, &mut PlainLoop, 3)
 }
 
 /// All engines on one cloud.
@@ -316,6 +329,21 @@ proptest! {
     }
 
     #[test]
+    fn an_option_that_is_off_changes_no_bit(seed in 1u64.., kind in 0usize..25) {
+        let digests = |by_number| {
+            let paper = plain::<f32, 2>(by_number);
+            let off = Options { plain: paper, ..Options::OFF };
+            let (cloud, sides) = (cloud(14, seed), sides(kind));
+            let paper = after_steps(&cloud, paper, sides);
+            (paper, after_steps(&cloud, off, sides))
+        };
+        for by_number in [false, true] {
+            let (paper, off) = digests(by_number);
+            assert_eq!(paper, off, "kind {kind}, seed {seed}");
+        }
+    }
+
+    #[test]
     fn wide_and_root_free_cut_offs_keep_the_bits(seed in 1u64.., kind in 0usize..25) {
         let (paper, all) = (plain(false), everything(0, false));
         // At a free side epsilon may double, and a period must still hold three reaches.
@@ -363,7 +391,7 @@ fn rates_cancel<S: HostScalar, const D: usize, P: Case<S, D>>(physics: P, per_si
         };
         for sides in [sides::<D>(0), [[Side::Periodic; 2]; D]] {
             let solver = cloud.following(physics, sides, CubicSpline, width, pairwise::<S>());
-            let mut arrays = cloud.arrays_of_two::<S, D>(&physics.options());
+            let mut arrays = cloud.arrays_of_two::<S, P::Shown, D>(&physics.options());
             let (mut gas, mut work) = arrays.parts();
             solver.prepare(&mut HalfLoop, &mut gas, &mut work).unwrap();
             for _ in 0..10 {
@@ -423,7 +451,7 @@ fn fixed_point_heat_cancels_exactly_within_each_material() {
             let options = everything(form, false);
             for sides in [sides::<D>(0), [[Side::Periodic; 2]; D]] {
                 let solver = cloud.following(options, sides, CubicSpline, width, pairwise::<S>());
-                let mut arrays = cloud.arrays_of_two::<S, D>(&options);
+                let mut arrays = cloud.arrays_of_two::<S, _, D>(&options);
                 let (mut gas, mut work) = arrays.parts();
                 solver.prepare(&mut HalfLoop, &mut gas, &mut work).unwrap();
                 for material in [0, 1] {
@@ -457,10 +485,11 @@ fn records_survive_the_way_through_lanes() {
         density: x + 0.5,
         epsilon: x + 0.6,
         velocity: [x + 0.7, x + 0.8],
+        terms: [x + 0.9; 3],
     };
     let nodes = [node(1.0), node(2.0), node(3.0)];
-    let gathered = GasNode::<f64, 2>::gather::<Lanes<f64, 4>>(nodes.iter());
+    let gathered = GasNode::<f64, [f64; 3], 2>::gather::<Lanes<f64, 4>>(nodes.iter());
     for (i, expected) in nodes.iter().enumerate() {
-        assert_eq!(&GasNode::<f64, 2>::lane(&gathered, i), expected);
+        assert_eq!(&GasNode::<f64, [f64; 3], 2>::lane(&gathered, i), expected);
     }
 }

@@ -20,7 +20,7 @@ use motes_core::equation::gas::viscosity::{Pairwise, VonNeumann};
 use motes_core::equation::gas::{Gas, Options, Particle, Weights, Width};
 use motes_core::pairs::{HalfLoop, PlainLoop};
 use motes_core::scalar::{Micro, Q32, Q64, Scalar};
-use motes_solver::families::gas::GasArrays;
+use motes_solver::families::gas::PlainArrays;
 
 /// Every cut-off, with η on a line, in a plane and in space: wide enough for some neighbours,
 /// narrow enough for three reaches in a small period.
@@ -386,7 +386,7 @@ impl Survey {
         let particles = case.particles::<S>();
         let found = case.problem::<S>().solve(&bodies(&particles));
         for plain in [true, false] {
-            let mut arrays = GasArrays::new(particles.iter().copied(), &Options::OFF);
+            let mut arrays = PlainArrays::new(particles.iter().copied(), &Options::OFF);
             let (mut gas, mut work) = arrays.parts();
             for stage in [
                 Stage::first::<S>(case.adaptive),
@@ -505,7 +505,7 @@ fn epsilon_does_not_depend_on_the_guess() {
             epsilon: guess,
             ..particle
         });
-        let mut arrays = GasArrays::new(guessed, &Options::OFF);
+        let mut arrays = PlainArrays::new(guessed, &Options::OFF);
         let (mut gas, mut work) = arrays.parts();
         let prepared = case.solver().prepare(&mut PlainLoop, &mut gas, &mut work);
         assert_eq!(prepared, Ok(()), "{guess}");
@@ -521,7 +521,7 @@ fn off_by_its_root<const D: usize>(case: &Case<D>) {
     let bodies = bodies(&particles);
     let mut problem = case.problem::<Micro>();
     let found = problem.solve(&bodies);
-    let mut arrays = GasArrays::new(particles, &Options::OFF);
+    let mut arrays = PlainArrays::new(particles, &Options::OFF);
     let (mut gas, mut work) = arrays.parts();
     let prepared = (case.solver()).prepare(&mut HalfLoop, &mut gas, &mut work);
     assert_eq!(prepared, Ok(()), "{case:?}");
@@ -603,7 +603,7 @@ fn leap_frog_of<const D: usize>(case: &Case<D>) {
     let before = problem.solve(&bodies);
     let step = problem.advance(&mut bodies, &before, dt);
 
-    let mut arrays = GasArrays::new(particles, &Options::OFF);
+    let mut arrays = PlainArrays::new(particles, &Options::OFF);
     let (mut gas, mut work) = arrays.parts();
     for _ in 0..2 {
         assert_eq!(

@@ -6,10 +6,12 @@ mod clouds;
 use clouds::Cloud;
 use motes_core::cutoff::CubicSpline;
 use motes_core::domain::Side;
+use motes_core::equation::gas::exchange::Extras;
 use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
 use motes_core::equation::gas::{
-    Diffusion, EnergyForm, ExchangeStorage, GasStorage, Options, Switch, Width,
+    Diffusion, EnergyForm, GasStorage, Options, OptionsStorage, PlainStorage, Switch, Width,
 };
+use motes_core::equation::linear::Nothing;
 use motes_core::error::{Container, Error};
 use motes_core::neighbours::cell_bound;
 use motes_core::pairs::{Engine, HalfLoop};
@@ -44,8 +46,8 @@ fn solver<S: Scalar>(sides: [Side; 2]) -> Solver<S> {
     cloud().solver([sides], CubicSpline, width, viscosity)
 }
 
-fn filled<const C: usize>() -> GasStorage<f32, 1, N, C> {
-    let mut storage = GasStorage::new();
+fn filled<const C: usize>() -> PlainStorage<f32, 1, N, C> {
+    let mut storage = PlainStorage::new();
     for particle in cloud().particles::<f32, 1>() {
         storage.push(particle).unwrap();
     }
@@ -128,7 +130,7 @@ fn a_gas_that_spreads_never_outgrows_its_cells() {
 
 #[test]
 fn an_empty_storage_is_an_error_and_no_panic() {
-    let mut storage = GasStorage::<f64, 1, N, CELLS>::new();
+    let mut storage = PlainStorage::<f64, 1, N, CELLS>::new();
     let (mut gas, mut work) = storage.parts();
     let error = solver([Side::Free; 2]).prepare(&mut HalfLoop, &mut gas, &mut work);
     assert_eq!(error, Err(Error::EmptyDomain { axis: 0 }));
@@ -160,16 +162,20 @@ fn options_need_their_storage_and_have_the_bits_of_the_host() {
         ..
     } = solver([Side::Mirror; 2]);
     let solver = cloud().following(options, [[Side::Mirror; 2]], cut_off, width, viscosity);
-    let mut storage = filled::<CELLS>();
-    let (mut gas, mut work) = storage.parts();
+    let particles = cloud().particles::<f32, 1>();
+    let mut without = GasStorage::<f32, Extras<f32, 1>, 1, N, 0, CELLS>::new();
+    for particle in &particles {
+        without.push(*particle).unwrap();
+    }
+    let (mut gas, mut work) = without.parts();
     let without = solver.prepare(&mut HalfLoop, &mut gas, &mut work);
     assert_eq!(without, Err(Error::Lengths));
 
-    let mut exchange = ExchangeStorage::<f32, 1, N>::new();
-    let mut storage = filled::<CELLS>();
+    let mut storage = OptionsStorage::<f32, 1, N, CELLS>::new();
+    for particle in &particles {
+        storage.push(*particle).unwrap();
+    }
     let (mut gas, mut work) = storage.parts();
-    work.exchange = exchange.parts();
-    let particles = cloud().particles::<f32, 1>();
     let mut arrays = GasArrays::new(particles, &options);
     let (mut on_host, mut host_work) = arrays.parts();
     let mut threads = Threads::new(1).unwrap();
@@ -240,7 +246,7 @@ fn steps(
     solver: &Solver<f32>,
     engine: &mut impl Engine<f32, 1>,
     gas: &mut motes_core::equation::gas::Gas<'_, f32, 1>,
-    work: &mut motes_core::equation::gas::Workspace<'_, f32, 1>,
+    work: &mut motes_core::equation::gas::Workspace<'_, f32, Nothing, 1>,
 ) -> Result<(), Error> {
     solver.prepare(engine, gas, work)?;
     let dt = solver.time_step(gas, 1.0)?;

@@ -1,6 +1,6 @@
 //! Diffusivities that vary in space and time, by name.
 
-use super::super::linear::Place;
+use crate::cloud::Place;
 use crate::scalar::{Scalar, sine_of_turns};
 
 /// How `b` varies along x: a factor.

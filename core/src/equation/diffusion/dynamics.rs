@@ -1,8 +1,8 @@
 //! The solver of a convection-diffusion problem: what it is made of, and its stable time step.
 
-use super::super::linear::{State, VelocityField};
 use super::problem::DiffusionProblem;
 use super::storage::DiffusionWorkspace;
+use crate::cloud::{State, VelocityField};
 use crate::cutoff::{CutOff, slope};
 use crate::domain::Domain;
 use crate::error::{Error, Quantity};
@@ -94,7 +94,7 @@ where
                 let all = nodes.iter().flat_map(|node| node.diffusivity);
                 let conductor = all.reduce(Scalar::greater).unwrap_or(S::ZERO);
                 let kappa = S::from_f64(slope::<C, D>(self.cut_off));
-                let walls = self.walls(work.time);
+                let walls = self.walls(*work.time);
                 let mut exchanged = S::ZERO;
                 for node in nodes {
                     // Two walls that are near add up.
@@ -109,7 +109,7 @@ where
                 conductor * (kappa * kappa) * self.stretch() + exchanged
             }
         };
-        let largest = largest * self.problem.headroom(work.time);
+        let largest = largest * self.problem.headroom(*work.time);
         largest / self.epsilon / self.epsilon + self.problem.reaction_rate()
     }
 

@@ -1,11 +1,11 @@
 //! A problem put together from named parts while the program runs.
 
-use super::super::linear::Place;
 use super::conductor::{Conductor, Modulation};
 use super::drive::DrivenCondition;
 use super::problem::DiffusionProblem;
 use super::reaction::Reaction;
 use super::wall::Condition;
+use crate::cloud::Place;
 use crate::scalar::Scalar;
 
 /// `b_j(x,t) = diffusivity_j conductor(x) modulation(t)` times a constant tensor, a reaction, and

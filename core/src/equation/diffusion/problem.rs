@@ -1,7 +1,7 @@
 //! What a convection-diffusion problem has to say.
 
-use super::super::linear::Place;
 use super::wall::Condition;
+use crate::cloud::Place;
 use crate::scalar::Scalar;
 
 /// `∂u/∂t + div(a u) - div(b ∇u) = f(x, t, u)`, for each of `P` species; what is common to them is

@@ -1,6 +1,5 @@
 //! The right-hand sides of (4.3) or (4.6) for a whole cloud.
 
-use super::super::linear::{Place, Register, State, VelocityField};
 use super::direct::Direct;
 use super::dynamics::{DiffusionDynamics, Form};
 use super::mixed::{Divergence, Flux, MixedNode};
@@ -8,6 +7,7 @@ use super::node::DiffusionNode;
 use super::problem::DiffusionProblem;
 use super::storage::DiffusionWorkspace;
 use super::wall::Condition;
+use crate::cloud::{Place, Register, State, VelocityField};
 use crate::cutoff::{CutOff, across};
 use crate::domain::Side;
 use crate::error::Error;
@@ -38,7 +38,7 @@ where
         }
         state.check()?;
         state.weigh();
-        work.grid = None;
+        *work.grid = None;
         self.rates(engine, state, work, S::ZERO)?;
         let alone = |&neighbours: &S| !(neighbours > S::ZERO);
         match state.neighbours.iter().position(alone) {
@@ -59,7 +59,7 @@ where
         time: S,
     ) -> Result<(), Error> {
         let n = state.len();
-        let grid = match work.grid {
+        let grid = match *work.grid {
             Some(grid) => grid,
             None => {
                 let reach = self.reach();
@@ -68,8 +68,8 @@ where
                 grid
             }
         };
-        work.grid = Some(grid);
-        work.time = time;
+        *work.grid = Some(grid);
+        *work.time = time;
         self.show(state, work, time);
         let cells = work.cells.cells(grid, n);
         let (Some(nodes), Some(sums)) = (work.nodes.get_mut(..n), work.sums.get_mut(..n)) else {
@@ -179,7 +179,7 @@ where
     }
 
     /// What holds at the walls.
-    pub(super) fn walls(&self, time: S) -> [[[Condition<S>; P]; 2]; D] {
+    pub(crate) fn walls(&self, time: S) -> [[[Condition<S>; P]; 2]; D] {
         let mut walls = [[[Condition::NoFlux; P]; 2]; D];
         for (axis, ends) in walls.iter_mut().enumerate() {
             for (end, conditions) in ends.iter_mut().enumerate() {

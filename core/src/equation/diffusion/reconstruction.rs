@@ -1,12 +1,12 @@
 //! The field that a cloud of strengths stands for, at any points: (1.13).
 
-use super::super::linear::{State, VelocityField};
 use super::direct::imaged;
 use super::dynamics::DiffusionDynamics;
 use super::node::{DiffusionNode, DiffusionSums};
 use super::problem::DiffusionProblem;
 use super::storage::DiffusionWorkspace;
 use super::wall::Condition;
+use crate::cloud::{State, VelocityField};
 use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
 use crate::error::Error;
@@ -87,7 +87,7 @@ where
         let n = state.len();
         let reach = self.reach();
         let grid = sort(&self.domain, state.position, |_| reach, &mut work.cells)?;
-        work.grid = None;
+        *work.grid = None;
         self.show(state, work, time);
         let cells = work.cells.cells(grid, n);
         let Some(nodes) = work.nodes.get(..n) else {

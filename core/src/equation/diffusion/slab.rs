@@ -5,12 +5,12 @@
 
 use core::mem::take;
 
-use super::super::linear::{Particle, VelocityField};
 use super::conductor::{Conductor, Modulation};
 use super::drive::{Drive, DrivenCondition};
 use super::dynamics::{DiffusionDynamics, Form, Mean};
 use super::named::NamedProblem;
 use super::reaction::Reaction;
+use crate::cloud::{Particle, VelocityField};
 use crate::cutoff::CutOff;
 use crate::domain::{Axis, Domain, Side};
 use crate::error::Error;

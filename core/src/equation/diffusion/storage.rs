@@ -1,8 +1,9 @@
 //! The memory of a convection-diffusion problem.
 
-use super::super::linear::{CloudStorage, Particle, Register, Start, State};
 use super::mixed::{FluxSums, MixedNode};
 use super::node::{DiffusionNode, DiffusionSums};
+use crate::cloud::{CloudParts, CloudStorage, Particle, Register, Start, State};
+use crate::equation::{Dynamics, Parts, Storage};
 use crate::error::Error;
 use crate::neighbours::{CellBuffers, Grid};
 use crate::pairs::{Fields, Settled};
@@ -15,7 +16,7 @@ pub struct DiffusionWorkspace<'a, S: Scalar, const D: usize, const P: usize> {
     /// For the search for partners.
     pub cells: CellBuffers<'a, S, D>,
     /// The geometry of the cells, while the particles have not moved.
-    pub grid: Option<Grid<S, D>>,
+    pub grid: &'a mut Option<Grid<S, D>>,
     /// Nodes, in sorted order.
     pub nodes: &'a mut [DiffusionNode<S, D, P>],
     /// Sums over pairs of the direct form, in sorted order.
@@ -25,7 +26,7 @@ pub struct DiffusionWorkspace<'a, S: Scalar, const D: usize, const P: usize> {
     /// The rates that were made last.
     pub last: &'a mut [Register<S, D, P>],
     /// The time at which they were made: of a stage, which need not be the end of a step.
-    pub time: S,
+    pub time: &'a mut S,
     /// The weighted sum of the rates of a step by a Runge-Kutta method.
     pub sum: &'a mut [Register<S, D, P>],
     /// For the stabilised method: rates of the first stage, and the increments of the two before.
@@ -93,15 +94,21 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
     /// The state and the workspace, as the solver takes them. With a Runge-Kutta method or the
     /// mixed form a step then fails: [`Error::Lengths`].
     pub fn parts(&mut self) -> (State<'_, S, D, P>, DiffusionWorkspace<'_, S, D, P>) {
-        let (state, cells, start) = self.cloud.parts();
+        let CloudParts {
+            state,
+            cells,
+            start,
+            grid,
+            time,
+        } = self.cloud.parts();
         let work = DiffusionWorkspace {
             cells,
-            grid: None,
+            grid,
             nodes: &mut self.nodes,
             sums: &mut self.sums,
             start,
             last: &mut self.last,
-            time: S::ZERO,
+            time,
             sum: &mut [],
             stages: &mut self.stages,
             fluxes: &mut [],
@@ -174,5 +181,65 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
             ..work
         };
         (state, work)
+    }
+}
+
+impl<S, Y, const D: usize, const P: usize, const N: usize, const C: usize> Storage<S, Y, D>
+    for DirectStorage<S, D, P, N, C>
+where
+    S: Scalar,
+    Y: for<'a> Dynamics<
+            S,
+            D,
+            State<'a> = State<'a, S, D, P>,
+            Work<'a> = DiffusionWorkspace<'a, S, D, P>,
+            Particle = Particle<S, D, P>,
+        >,
+{
+    fn parts(&mut self) -> Parts<'_, S, Y, D> {
+        let (state, work) = self.parts();
+        Parts { state, work }
+    }
+    fn insert(&mut self, particle: Particle<S, D, P>) -> Result<(), Error> {
+        self.push(particle)
+    }
+    fn swap_remove(&mut self, id: usize) {
+        self.cloud.swap_remove(id);
+    }
+    fn keep(&mut self) {
+        self.cloud.keep();
+    }
+    fn restore(&mut self) {
+        self.cloud.restore();
+    }
+}
+
+impl<S, Y, const D: usize, const P: usize, const N: usize, const C: usize> Storage<S, Y, D>
+    for DiffusionStorage<S, D, P, N, C>
+where
+    S: Scalar,
+    Y: for<'a> Dynamics<
+            S,
+            D,
+            State<'a> = State<'a, S, D, P>,
+            Work<'a> = DiffusionWorkspace<'a, S, D, P>,
+            Particle = Particle<S, D, P>,
+        >,
+{
+    fn parts(&mut self) -> Parts<'_, S, Y, D> {
+        let (state, work) = self.parts();
+        Parts { state, work }
+    }
+    fn insert(&mut self, particle: Particle<S, D, P>) -> Result<(), Error> {
+        self.push(particle)
+    }
+    fn swap_remove(&mut self, id: usize) {
+        self.direct.cloud.swap_remove(id);
+    }
+    fn keep(&mut self) {
+        self.direct.cloud.keep();
+    }
+    fn restore(&mut self) {
+        self.direct.cloud.restore();
     }
 }

@@ -21,6 +21,15 @@ pub enum Condition<S> {
 }
 
 impl<S: Scalar> Condition<S> {
+    /// Whether its numbers are.
+    pub fn is_finite(&self) -> bool {
+        match *self {
+            Self::NoFlux => true,
+            Self::Value(number) | Self::Flux(number) => number.is_finite(),
+            Self::Exchange { rate, outside } => rate.is_finite() && outside.is_finite(),
+        }
+    }
+
     /// `u` at the wall, where a particle at `distance` from it has `u` and diffusivity `b`: the
     /// straight line that meets the condition.
     fn at_wall(&self, u: S, b: S, distance: S) -> S {

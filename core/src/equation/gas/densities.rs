@@ -32,7 +32,7 @@ where
         &self,
         engine: &mut impl Engine<S, D>,
         gas: &mut Gas<'_, S, D>,
-        work: &mut Workspace<'_, S, D>,
+        work: &mut Workspace<'_, S, P::Shown, D>,
         dt: S,
     ) -> Result<Grid<S, D>, Error> {
         let law = Density::<S, C, D>::new(self.cut_off, self.width);

@@ -9,7 +9,7 @@ use crate::scalar::Scalar;
 
 use super::density::Width;
 use super::options::Weights;
-use super::physics::{Physics, Settled};
+use super::physics::Physics;
 use super::state::{Gas, Row};
 use super::storage::Workspace;
 use super::viscosity::Viscosity;
@@ -51,7 +51,7 @@ where
         &self,
         engine: &mut impl Engine<S, D>,
         gas: &mut Gas<'_, S, D>,
-        work: &mut Workspace<'_, S, D>,
+        work: &mut Workspace<'_, S, P::Shown, D>,
     ) -> Result<(), Error> {
         if !gas.is_consistent() {
             return Err(Error::Lengths);
@@ -95,20 +95,6 @@ where
             }
         }
         Ok(smallest)
-    }
-
-    /// Densities and rates at the positions of `gas`, with velocities and energies predicted
-    /// over `dt` by the rates that `gas` holds. Closes the step: half a kick with the old
-    /// rates, half a kick with the new ones, which take their place.
-    pub(crate) fn rates(
-        &self,
-        engine: &mut impl Engine<S, D>,
-        gas: &mut Gas<'_, S, D>,
-        work: &mut Workspace<'_, S, D>,
-        dt: S,
-    ) -> Result<(), Error> {
-        let grid = self.densities(engine, gas, work, dt)?;
-        P::rates(self, engine, gas, work, Settled { grid, dt })
     }
 
     /// The measure μ of a particle of that mass.

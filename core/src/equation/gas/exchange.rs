@@ -1,6 +1,4 @@
-//! All that two particles may exchange: (3.10), (3.12) or (3.11), and what [`Options`] adds.
-//!
-//! Pressure and pseudo-viscosity as in [`super::motion`], and
+//! What [`Options`] adds to the sums over pairs, and two more ways to sum the energy.
 //!
 //! - `Π` from velocities reconstructed linearly to the midpoint under a slope limiter, and
 //!   with factors of its own for each particle ([`super::switch`]);
@@ -15,41 +13,25 @@
 //!   continued to the midpoint, so that a smooth profile keeps its shape.
 //!
 //! Energies are only exchanged within a material: they do not compare across an interface.
-//!
-//! [`Options`]: super::Options
 
-use crate::cutoff::{CutOff, Needs, Parts, Widths};
+use crate::cutoff::{CutOff, Needs};
 use crate::domain::Wall;
 use crate::pairs::{Law, Separation};
 use crate::record;
 use crate::scalar::{Number, Scalar};
 
-use super::options::Diffusion;
+use super::motion::{GasSums, Motion, NEEDS, NodeOf, NodeOver, reflected};
+use super::options::Options;
+use super::terms::{Between, Terms};
 use super::viscosity::{Pair, Viscosity};
 
 record! {
-    /// What a particle shows.
-    pub struct ExchangeNode<N, const D: usize> {
-        /// Mass `m`.
-        pub mass: N,
-        /// Measure μ: the mass, or 1.
-        pub measure: N,
-        /// `P = (p + q)/(Ω ν²)`.
-        pub force_pressure: N,
+    /// What a particle shows beyond the paper's equations.
+    pub struct Extras<N, const D: usize> {
         /// Pressure `p`.
         pub pressure: N,
-        /// `σ ε^-(D+2)`: turns `F(q) r` into the gradient.
-        pub gradient: N,
-        /// The particle's part of the argument of the cut-off.
-        pub scale: N,
-        /// Sound speed `c`.
-        pub sound_speed: N,
-        /// Density ρ.
-        pub density: N,
         /// `1/ρ`.
         pub specific_volume: N,
-        /// ε.
-        pub epsilon: N,
         /// Internal energy `e`.
         pub energy: N,
         /// Number of the material.
@@ -58,11 +40,9 @@ record! {
         pub linear: N,
         /// Factor of Π, in [0, 1].
         pub factor: N,
-        /// Velocity `u` that forces depend on.
-        pub velocity: [N; D],
-        /// Velocity that does work; only in [`Sum::Work`].
+        /// Velocity that does work; only in [`Work`].
         pub velocity_now: [N; D],
-        /// Acceleration; only in [`Sum::Work`].
+        /// Acceleration; only in [`Work`].
         pub acceleration: [N; D],
         /// `∂e/∂x_j`; 0 where nothing is conducted.
         pub energy_slope: [N; D],
@@ -70,55 +50,6 @@ record! {
         pub slope: [[N; D]; D],
     }
 }
-
-record! {
-    /// What it receives.
-    pub struct ExchangeSums<N, const D: usize> {
-        /// `Σ_l μ_l (u_k-u_l)·∇ζ_kl(ε_k) = -Ω_k ν_k div u`.
-        pub compression: N,
-        /// [`Sum::Forces`]: rate of internal energy but for the pressure's part.
-        /// [`Sum::Work`]: rate of internal energy with the velocities of now.
-        /// [`Sum::Flow`]: rate of total energy.
-        pub power: N,
-        /// [`Sum::Work`]: what `power` gains in a unit of time while forces do not change.
-        pub power_slope: N,
-        /// The fastest approach of a partner, along the line of centres; at least 0.
-        pub approach: N,
-        /// `m_k du_k/dt`.
-        pub force: [N; D],
-    }
-}
-
-/// Which sums are made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sum {
-    /// Rates of momentum and internal energy: (3.10), (3.12).
-    Forces,
-    /// The same forces, and the work they do.
-    Work,
-    /// The same forces, and the total energy that flows: (3.11).
-    Flow,
-}
-
-/// The law.
-#[derive(Clone, Copy, Debug)]
-pub struct Exchange<C, V, S> {
-    /// The cut-off.
-    pub cut_off: C,
-    /// The pseudo-viscosity.
-    pub viscosity: V,
-    /// Whether velocities are reconstructed.
-    pub limited: bool,
-    /// `α_e`.
-    pub conduction: S,
-    /// `ν` and `χ`.
-    pub diffusion: Diffusion<S>,
-    /// Which sums.
-    pub sum: Sum,
-}
-
-/// A distance below any that matters.
-const TINY: f64 = 1.0 / 65536.0;
 
 /// `Σ_ij a_ij r_i r_j`.
 #[inline(always)]
@@ -149,181 +80,175 @@ fn continued<N: Number>(a: N, b: N) -> N {
     x * (N::literal(2.0) - x) * (N::literal(0.5) * (a + b))
 }
 
-impl<S: Scalar, C: CutOff, V: Viscosity<S>> Exchange<C, V, S> {
+impl<S: Scalar, const D: usize> Options<S, D> {
     /// `(û_k - û_l)·r`, û the velocities at the midpoint.
     #[inline(always)]
-    fn reconstructed<N: Number<Scalar = S>, const D: usize>(
+    fn reconstructed<N: Number<Scalar = S>>(
         &self,
-        k: &ExchangeNode<N, D>,
-        l: &ExchangeNode<N, D>,
-        r: &[N; D],
-        approach: N,
+        k: &Extras<N, D>,
+        l: &Extras<N, D>,
+        between: &Between<N, D>,
     ) -> N {
         if !self.limited {
-            return approach;
+            return between.approach;
         }
-        approach - continued(quadratic(&k.slope, r), quadratic(&l.slope, r))
-    }
-
-    /// The internal energy that `k` gives to `l`, negative, or receives, over `m_k m_l g`.
-    #[inline(always)]
-    fn conducted<N: Number<Scalar = S>, const D: usize>(
-        &self,
-        k: &ExchangeNode<N, D>,
-        l: &ExchangeNode<N, D>,
-        r: &[N; D],
-        speed: N,
-        distance: N,
-    ) -> N {
-        let half = N::literal(0.5);
-        let step = k.energy - l.energy;
-        let mut conducted =
-            N::splat(self.diffusion.heat) * ((k.specific_volume + l.specific_volume) * step);
-        if self.conduction > S::ZERO {
-            let density = half * (k.density + l.density);
-            let sound_speed = half * (k.sound_speed + l.sound_speed);
-            let jump = absolute(k.pressure - l.pressure) / density;
-            let signal = (jump - sound_speed * speed.max(N::zero()))
-                .max(N::zero())
-                .sqrt();
-            let left = step - continued(N::dot(&k.energy_slope, r), N::dot(&l.energy_slope, r));
-            // Between 0 and the whole step: heat never runs uphill.
-            let zero = N::zero();
-            let left = step.min(left).max(zero) + step.max(left).min(zero);
-            conducted += N::splat(self.conduction) * (signal * distance / density) * left;
-        }
-        let foreign = absolute(k.material - l.material);
-        let same = (N::literal(1.0) - foreign).max(N::zero());
-        same * conducted
+        let r = &between.r;
+        between.approach - continued(quadratic(&k.slope, r), quadratic(&l.slope, r))
     }
 }
 
-impl<S: Scalar, C: CutOff, V: Viscosity<S>, const D: usize> Law<S, D> for Exchange<C, V, S> {
-    type Node = ExchangeNode<S, D>;
-    type Sums = ExchangeSums<S, D>;
-    type CutOff = C;
-    const NEEDS: Needs = Needs {
-        parts: Parts::Gradient,
-        widths: Widths::Both,
-        distance: true,
-    };
-
-    fn cut_off(&self) -> C {
-        self.cut_off
-    }
-    #[inline(always)]
-    fn scale<N: Number<Scalar = S>>(&self, node: &ExchangeNode<N, D>) -> N {
-        node.scale
-    }
+impl<S: Scalar, const D: usize> Terms<S, D> for Options<S, D> {
+    type Shown = Extras<S, D>;
 
     #[inline(always)]
-    fn pair<N: Number<Scalar = S>>(
+    fn stress<N: Number<Scalar = S>, V: Viscosity<S>>(
         &self,
-        k: &ExchangeNode<N, D>,
-        l: &ExchangeNode<N, D>,
-        apart: &Separation<N, D>,
-        to_k: &mut ExchangeSums<N, D>,
-        to_l: &mut ExchangeSums<N, D>,
-    ) {
+        viscosity: &V,
+        k: &NodeOver<N, S, Self, D>,
+        l: &NodeOver<N, S, Self, D>,
+        between: &Between<N, D>,
+    ) -> N {
         let half = N::literal(0.5);
-        let Separation {
-            r,
-            distance_squared,
-            zeta,
-        } = apart;
-        let g_k = k.gradient * zeta.k.gradient;
-        let g_l = l.gradient * zeta.l.gradient;
-        let g = half * (g_k + g_l);
-
-        let mut u = [N::zero(); D];
-        for i in 0..D {
-            u[i] = k.velocity[i] - l.velocity[i];
-        }
-        let approach = N::dot(&u, r);
-        let distance = zeta.distance;
-        let floored = distance.max(N::literal(TINY));
-        let speed = approach / floored;
-        let limited = self.reconstructed(k, l, r, approach);
-        let artificial = self.viscosity.pair(&Pair {
+        let limited = self.reconstructed(&k.terms, &l.terms, between);
+        let artificial = viscosity.pair(&Pair {
             approach: limited,
-            distance_squared: *distance_squared,
-            speed: limited / floored,
+            distance_squared: between.distance_squared,
+            speed: limited / between.floored,
             sound_speeds: k.sound_speed + l.sound_speed,
             densities: k.density + l.density,
             epsilons: k.epsilon + l.epsilon,
-            linear: half * (k.linear + l.linear),
-            factor: half * (k.factor + l.factor),
+            linear: half * (k.terms.linear + l.terms.linear),
+            factor: half * (k.terms.factor + l.terms.factor),
         });
         let stress = N::splat(self.diffusion.viscosity * S::count(D as u32 + 2))
-            * (k.specific_volume + l.specific_volume);
-        let pi = artificial - stress * (speed / floored);
-
-        let masses = k.mass * l.mass;
-        let measures = k.measure * l.measure;
-        let viscous = masses * (pi * g);
-        let pressure_k = measures * (k.force_pressure * g_k);
-        let pressure_l = measures * (l.force_pressure * g_l);
-        let heat = masses * (self.conducted(k, l, r, speed, distance) * g);
-        match self.sum {
-            Sum::Forces => {
-                let term = (pressure_k + pressure_l) + viscous;
-                for i in 0..D {
-                    let force = term * r[i];
-                    to_k.force[i] -= force;
-                    to_l.force[i] += force;
-                }
-                to_k.compression += l.measure * (approach * g_k);
-                to_l.compression += k.measure * (approach * g_l);
-                let heating = half * (viscous * approach);
-                to_k.power += heating + heat;
-                to_l.power += heating - heat;
-                let closing = -speed * g.below(N::zero());
-                to_k.approach = to_k.approach.max(closing);
-                to_l.approach = to_l.approach.max(closing);
-            }
-            Sum::Work => {
-                let mut v = [N::zero(); D];
-                let mut w = [N::zero(); D];
-                for i in 0..D {
-                    v[i] = k.velocity_now[i] - l.velocity_now[i];
-                    w[i] = k.acceleration[i] - l.acceleration[i];
-                }
-                let (now, gain) = (N::dot(&v, r), N::dot(&w, r));
-                let (share_k, share_l) = (pressure_k + half * viscous, pressure_l + half * viscous);
-                to_k.power += share_k * now + heat;
-                to_l.power += share_l * now - heat;
-                to_k.power_slope += share_k * gain;
-                to_l.power_slope += share_l * gain;
-            }
-            Sum::Flow => {
-                let (along_k, along_l) = (N::dot(&k.velocity, r), N::dot(&l.velocity, r));
-                let flow = (pressure_k * along_l + pressure_l * along_k)
-                    + half * (viscous * (along_k + along_l));
-                to_k.power += heat - flow;
-                to_l.power += flow - heat;
-            }
-        }
+            * (k.terms.specific_volume + l.terms.specific_volume);
+        artificial - stress * (between.speed / between.floored)
     }
 
-    fn reflected(&self, node: &ExchangeNode<S, D>, wall: &Wall<S>) -> ExchangeNode<S, D> {
-        let mut node = *node;
+    #[inline(always)]
+    fn heat<N: Number<Scalar = S>>(
+        &self,
+        k: &NodeOver<N, S, Self, D>,
+        l: &NodeOver<N, S, Self, D>,
+        between: &Between<N, D>,
+        coupling: N,
+    ) -> N {
+        let half = N::literal(0.5);
+        let zero = N::zero();
+        let (a, b) = (&k.terms, &l.terms);
+        let step = a.energy - b.energy;
+        let volumes = a.specific_volume + b.specific_volume;
+        let mut conducted = N::splat(self.diffusion.heat) * (volumes * step);
+        if self.conduction > S::ZERO {
+            let density = half * (k.density + l.density);
+            let sound_speed = half * (k.sound_speed + l.sound_speed);
+            let jump = absolute(a.pressure - b.pressure) / density;
+            let throttled = jump - sound_speed * between.speed.max(zero);
+            let signal = throttled.max(zero).sqrt();
+            let r = &between.r;
+            let left = step - continued(N::dot(&a.energy_slope, r), N::dot(&b.energy_slope, r));
+            // Between 0 and the whole step: heat never runs uphill.
+            let left = step.min(left).max(zero) + step.max(left).min(zero);
+            conducted += N::splat(self.conduction) * (signal * between.distance / density) * left;
+        }
+        let foreign = absolute(a.material - b.material);
+        let same = (N::literal(1.0) - foreign).max(zero);
+        coupling * (same * conducted)
+    }
+
+    fn reflected(shown: &Extras<S, D>, axis: usize) -> Extras<S, D> {
+        let mut image = *shown;
         for vector in [
-            &mut node.velocity,
-            &mut node.velocity_now,
-            &mut node.acceleration,
-            &mut node.energy_slope,
+            &mut image.velocity_now,
+            &mut image.acceleration,
+            &mut image.energy_slope,
         ] {
-            if let Some(component) = vector.get_mut(wall.axis) {
+            if let Some(component) = vector.get_mut(axis) {
                 *component = -*component;
             }
         }
-        for (i, row) in node.slope.iter_mut().enumerate() {
+        for (i, row) in image.slope.iter_mut().enumerate() {
             for (j, entry) in row.iter_mut().enumerate() {
-                if (i == wall.axis) != (j == wall.axis) {
+                if (i == axis) != (j == axis) {
                     *entry = -*entry;
                 }
             }
         }
-        node
+        image
     }
 }
+
+/// The work that the forces of [`Motion`] do, of the velocities of now and of their rates.
+#[derive(Clone, Copy, Debug)]
+pub struct Work<C, V, T>(pub Motion<C, V, T>);
+
+/// The flow of total energy, (3.11), with the forces of [`Motion`].
+#[derive(Clone, Copy, Debug)]
+pub struct Flow<C, V, T>(pub Motion<C, V, T>);
+
+macro_rules! law_of_energy {
+    ($name:ident, |$of:ident, $k:ident, $l:ident, $r:ident, $to_k:ident, $to_l:ident| $pair:block) => {
+        impl<S, C, V, const D: usize> Law<S, D> for $name<C, V, Options<S, D>>
+        where
+            S: Scalar,
+            C: CutOff,
+            V: Viscosity<S>,
+        {
+            type Node = NodeOf<S, Options<S, D>, D>;
+            type Sums = GasSums<S, D>;
+            type CutOff = C;
+            const NEEDS: Needs = NEEDS;
+
+            fn cut_off(&self) -> C {
+                self.0.cut_off
+            }
+            #[inline(always)]
+            fn scale<N: Number<Scalar = S>>(&self, node: &NodeOver<N, S, Options<S, D>, D>) -> N {
+                node.scale
+            }
+
+            #[inline(always)]
+            fn pair<N: Number<Scalar = S>>(
+                &self,
+                $k: &NodeOver<N, S, Options<S, D>, D>,
+                $l: &NodeOver<N, S, Options<S, D>, D>,
+                apart: &Separation<N, D>,
+                $to_k: &mut GasSums<N, D>,
+                $to_l: &mut GasSums<N, D>,
+            ) {
+                let $of = self.0.exchanged($k, $l, apart);
+                let $r = &apart.r;
+                $pair
+            }
+
+            fn reflected(&self, node: &Self::Node, wall: &Wall<S>) -> Self::Node {
+                reflected::<S, Options<S, D>, D>(node, wall)
+            }
+        }
+    };
+}
+
+law_of_energy!(Work, |of, k, l, r, to_k, to_l| {
+    let half = N::literal(0.5);
+    let mut v = [N::zero(); D];
+    let mut w = [N::zero(); D];
+    for i in 0..D {
+        v[i] = k.terms.velocity_now[i] - l.terms.velocity_now[i];
+        w[i] = k.terms.acceleration[i] - l.terms.acceleration[i];
+    }
+    let (now, gain) = (N::dot(&v, r), N::dot(&w, r));
+    let share_k = of.pressure_k + half * of.viscous;
+    let share_l = of.pressure_l + half * of.viscous;
+    to_k.power += share_k * now + of.heat;
+    to_l.power += share_l * now - of.heat;
+    to_k.power_slope += share_k * gain;
+    to_l.power_slope += share_l * gain;
+});
+
+law_of_energy!(Flow, |of, k, l, r, to_k, to_l| {
+    let (along_k, along_l) = (N::dot(&k.velocity, r), N::dot(&l.velocity, r));
+    let flow = (of.pressure_k * along_l + of.pressure_l * along_k)
+        + N::literal(0.5) * (of.viscous * (along_k + along_l));
+    to_k.power += of.heat - flow;
+    to_l.power += flow - of.heat;
+});

@@ -3,18 +3,22 @@
 //! The sums are rates of momentum and energy, `m_k du_k/dt` and `m_k de_k/dt`: pair terms
 //! carry both masses and are exactly opposite, so in fixed point the momentum rates of a
 //! free cloud sum to 0.
+//!
+//! The law is the same whatever goes beyond the paper: that enters through [`Terms`], and a term
+//! that is off changes no bit.
 
 use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
-use crate::pairs::{Law, Separation};
+use crate::pairs::{Fields, Law, Separation};
 use crate::record;
 use crate::scalar::{Number, Scalar};
 
-use super::viscosity::{Pair, Viscosity};
+use super::terms::{Between, Terms};
+use super::viscosity::Viscosity;
 
 record! {
-    /// What a particle of gas shows.
-    pub struct GasNode<N, const D: usize> {
+    /// What a particle of gas shows: over a number `N`, with what the terms need, `X`.
+    pub struct GasNode<N, X, const D: usize> {
         /// Mass `m`.
         pub mass: N,
         /// Measure μ: the mass, or 1.
@@ -33,6 +37,8 @@ record! {
         pub epsilon: N,
         /// Velocity `u`.
         pub velocity: [N; D],
+        /// What goes beyond the paper.
+        pub terms: X,
     }
 }
 
@@ -41,8 +47,14 @@ record! {
     pub struct GasSums<N, const D: usize> {
         /// `Σ_l μ_l (u_k-u_l)·∇ζ_kl(ε_k) = -Ω_k ν_k div u`.
         pub compression: N,
-        /// `1/2 Σ_l m_k m_l Π_kl (u_k-u_l)·g_kl`.
-        pub heating: N,
+        /// [`Motion`]: rate of internal energy but for the pressure's part,
+        /// `1/2 Σ_l m_k m_l Π_kl (u_k-u_l)·g_kl`, and what is conducted.
+        /// [`Work`](super::exchange::Work): rate of internal energy with the velocities of now.
+        /// [`Flow`](super::exchange::Flow): rate of total energy.
+        pub power: N,
+        /// [`Work`](super::exchange::Work): what `power` gains in a unit of time while forces do
+        /// not change.
+        pub power_slope: N,
         /// The fastest approach of a partner, along the line of centres; at least 0.
         pub approach: N,
         /// `m_k du_k/dt`.
@@ -50,94 +62,162 @@ record! {
     }
 }
 
+/// The node of a gas with these terms.
+pub type NodeOf<S, T, const D: usize> = GasNode<S, <T as Terms<S, D>>::Shown, D>;
+/// The same over any number.
+pub type NodeOver<N, S, T, const D: usize> =
+    GasNode<N, <<T as Terms<S, D>>::Shown as Fields<S>>::Of<N>, D>;
+
 /// (3.10) and (3.12).
 #[derive(Clone, Copy, Debug)]
-pub struct Motion<C, V> {
+pub struct Motion<C, V, T> {
     /// The cut-off.
     pub cut_off: C,
     /// The pseudo-viscosity.
     pub viscosity: V,
+    /// What goes beyond the paper.
+    pub terms: T,
 }
 
-impl<S: Scalar, C: CutOff, V: Viscosity<S>, const D: usize> Law<S, D> for Motion<C, V> {
-    type Node = GasNode<S, D>;
+/// What a pair exchanges, over `r`.
+pub(super) struct Exchanged<N> {
+    /// `μ_k μ_l P_k` times the factor of the gradient of `k`.
+    pub pressure_k: N,
+    /// `μ_k μ_l P_l` times that of `l`.
+    pub pressure_l: N,
+    /// `m_k m_l Π` times the mean of both.
+    pub viscous: N,
+    /// What `k` receives as heat and `l` gives.
+    pub heat: N,
+    /// `Σ_i (u_k-u_l)_i r_i`, of the velocities that forces depend on.
+    pub approach: N,
+    /// The same over the distance.
+    pub speed: N,
+    /// The factors of the gradients: of `k`, of `l`, and their mean.
+    pub gradients: [N; 3],
+}
+
+/// A distance below any that matters.
+const TINY: f64 = 1.0 / 65536.0;
+
+impl<C, V, T> Motion<C, V, T> {
+    /// What a pair exchanges.
+    #[inline(always)]
+    pub(super) fn exchanged<S, N, const D: usize>(
+        &self,
+        k: &NodeOver<N, S, T, D>,
+        l: &NodeOver<N, S, T, D>,
+        apart: &Separation<N, D>,
+    ) -> Exchanged<N>
+    where
+        S: Scalar,
+        N: Number<Scalar = S>,
+        V: Viscosity<S>,
+        T: Terms<S, D>,
+    {
+        let Separation { r, zeta, .. } = apart;
+        let g_k = k.gradient * zeta.k.gradient;
+        let g_l = l.gradient * zeta.l.gradient;
+        let g = N::literal(0.5) * (g_k + g_l);
+        let mut u = [N::zero(); D];
+        for i in 0..D {
+            u[i] = k.velocity[i] - l.velocity[i];
+        }
+        // At r = 0 the approach is 0 too.
+        let approach = N::dot(&u, r);
+        let floored = zeta.distance.max(N::literal(TINY));
+        let between = Between {
+            r: *r,
+            distance_squared: apart.distance_squared,
+            distance: zeta.distance,
+            floored,
+            approach,
+            speed: approach / floored,
+        };
+        let pi = self.terms.stress(&self.viscosity, k, l, &between);
+        let masses = k.mass * l.mass;
+        let measures = k.measure * l.measure;
+        Exchanged {
+            pressure_k: measures * (k.pressure * g_k),
+            pressure_l: measures * (l.pressure * g_l),
+            viscous: masses * (pi * g),
+            heat: self.terms.heat(k, l, &between, masses * g),
+            approach,
+            speed: between.speed,
+            gradients: [g_k, g_l, g],
+        }
+    }
+}
+
+impl<S, C, V, T, const D: usize> Law<S, D> for Motion<C, V, T>
+where
+    S: Scalar,
+    C: CutOff,
+    V: Viscosity<S>,
+    T: Terms<S, D>,
+{
+    type Node = NodeOf<S, T, D>;
     type Sums = GasSums<S, D>;
     type CutOff = C;
-    const NEEDS: Needs = Needs {
-        parts: Parts::Gradient,
-        widths: Widths::Both,
-        distance: true,
-    };
+    const NEEDS: Needs = NEEDS;
 
     fn cut_off(&self) -> C {
         self.cut_off
     }
     #[inline(always)]
-    fn scale<N: Number<Scalar = S>>(&self, node: &GasNode<N, D>) -> N {
+    fn scale<N: Number<Scalar = S>>(&self, node: &NodeOver<N, S, T, D>) -> N {
         node.scale
     }
 
     #[inline(always)]
     fn pair<N: Number<Scalar = S>>(
         &self,
-        k: &GasNode<N, D>,
-        l: &GasNode<N, D>,
+        k: &NodeOver<N, S, T, D>,
+        l: &NodeOver<N, S, T, D>,
         apart: &Separation<N, D>,
         to_k: &mut GasSums<N, D>,
         to_l: &mut GasSums<N, D>,
     ) {
-        let Separation {
-            r,
-            distance_squared,
-            zeta,
-        } = apart;
-        let g_k = k.gradient * zeta.k.gradient;
-        let g_l = l.gradient * zeta.l.gradient;
-        let g = N::literal(0.5) * (g_k + g_l);
-
-        let mut u = [N::zero(); D];
+        let of = self.exchanged(k, l, apart);
+        let [g_k, g_l, g] = of.gradients;
+        let term = (of.pressure_k + of.pressure_l) + of.viscous;
         for i in 0..D {
-            u[i] = k.velocity[i] - l.velocity[i];
-        }
-        let approach = N::dot(&u, r);
-        // The floor is below any distance that matters; at r = 0 the approach is 0 too.
-        let speed = approach / zeta.distance.max(N::literal(1.0 / 65536.0));
-        let pi = self.viscosity.pair(&Pair {
-            approach,
-            distance_squared: *distance_squared,
-            speed,
-            sound_speeds: k.sound_speed + l.sound_speed,
-            densities: k.density + l.density,
-            epsilons: k.epsilon + l.epsilon,
-            linear: N::literal(1.0),
-            factor: N::literal(1.0),
-        });
-
-        let viscous = (k.mass * l.mass) * (pi * g);
-        let measures = k.measure * l.measure;
-        let term = measures * (k.pressure * g_k + l.pressure * g_l) + viscous;
-        for i in 0..D {
-            let force = term * r[i];
+            let force = term * apart.r[i];
             to_k.force[i] -= force;
             to_l.force[i] += force;
         }
-        to_k.compression += l.measure * (approach * g_k);
-        to_l.compression += k.measure * (approach * g_l);
-        let heating = N::literal(0.5) * (viscous * approach);
-        to_k.heating += heating;
-        to_l.heating += heating;
-
+        to_k.compression += l.measure * (of.approach * g_k);
+        to_l.compression += k.measure * (of.approach * g_l);
+        let heating = N::literal(0.5) * (of.viscous * of.approach);
+        to_k.power += heating + of.heat;
+        to_l.power += heating - of.heat;
         // A pair out of reach has no say in the time step; its gradient is exactly 0.
-        let closing = -speed * g.below(N::zero());
+        let closing = -of.speed * g.below(N::zero());
         to_k.approach = to_k.approach.max(closing);
         to_l.approach = to_l.approach.max(closing);
     }
 
-    fn reflected(&self, node: &GasNode<S, D>, wall: &Wall<S>) -> GasNode<S, D> {
-        let mut node = *node;
-        if let Some(component) = node.velocity.get_mut(wall.axis) {
-            *component = -*component;
-        }
-        node
+    fn reflected(&self, node: &Self::Node, wall: &Wall<S>) -> Self::Node {
+        reflected::<S, T, D>(node, wall)
     }
+}
+
+/// What the laws of a gas read of its cut-off.
+pub(super) const NEEDS: Needs = Needs {
+    parts: Parts::Gradient,
+    widths: Widths::Both,
+    distance: true,
+};
+
+/// A node as it is seen behind a wall.
+pub(super) fn reflected<S: Scalar, T: Terms<S, D>, const D: usize>(
+    node: &NodeOf<S, T, D>,
+    wall: &Wall<S>,
+) -> NodeOf<S, T, D> {
+    let mut image = *node;
+    if let Some(component) = image.velocity.get_mut(wall.axis) {
+        *component = -*component;
+    }
+    image.terms = T::reflected(&node.terms, wall.axis);
+    image
 }

@@ -104,8 +104,8 @@ impl<S: Scalar, const D: usize> Options<S, D> {
         self.limited || self.balsara || self.switch.is_some() || self.conduction > S::ZERO
     }
 
-    /// Whether anything is on that [`Plain`] has not. Where nothing is, runs are made with
-    /// [`Plain`]: the two laws agree, but not to the last bit.
+    /// Whether anything is on that [`Plain`] has not. Where nothing is, [`Plain`] gives the same
+    /// bits faster, in less memory.
     pub fn need_exchange(&self) -> bool {
         self.need_gradients()
             || self.energy != EnergyForm::LeapFrog

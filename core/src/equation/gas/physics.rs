@@ -4,37 +4,83 @@
 use crate::cutoff::CutOff;
 use crate::error::Error;
 use crate::material::EquationOfState;
-use crate::neighbours::Grid;
+use crate::neighbours::Cells;
 use crate::pairs::Engine;
+use crate::pairs::Nothing;
 use crate::scalar::Scalar;
 
 use super::dynamics::GasDynamics;
-use super::options::{Options, Plain};
+use super::motion::NodeOf;
+use super::options::{EnergyForm, Plain};
 use super::state::Gas;
-use super::storage::Workspace;
+use super::storage::{GradientBuffers, RatesOf};
+use super::terms::Terms;
 use super::viscosity::Viscosity;
 
-/// Which law a gas solver follows: [`Plain`] or [`Options`].
-pub trait Physics<S: Scalar, const D: usize>: Copy {
+/// Which law a gas solver follows: [`Plain`] or [`Options`](super::Options).
+pub trait Physics<S: Scalar, const D: usize>: Terms<S, D> {
     /// Weights and external acceleration.
     fn plain(&self) -> &Plain<S, D>;
     /// Physical diffusivities, summed.
-    fn diffusivity(&self) -> S;
-    /// Forces and powers of settled densities; closes the step.
-    fn rates<C: CutOff, V: Viscosity<S>, E: EquationOfState<S>>(
+    fn diffusivity(&self) -> S {
+        S::ZERO
+    }
+    /// How the energy goes from one time to the next.
+    fn energy(&self) -> EnergyForm {
+        EnergyForm::LeapFrog
+    }
+    /// Whether gradients of velocity and energy are made.
+    fn need_gradients(&self) -> bool {
+        false
+    }
+
+    /// What a particle in that state shows beyond the paper's equations.
+    fn shown(&self, state: &Thermal<S>) -> Self::Shown;
+
+    /// Refines what particles show by gradients, before the sums over pairs.
+    fn refine<C: CutOff, V: Viscosity<S>, E: EquationOfState<S>>(
         solver: &GasDynamics<'_, S, C, V, E, Self, D>,
-        engine: &mut impl Engine<S, D>,
-        gas: &mut Gas<'_, S, D>,
-        work: &mut Workspace<'_, S, D>,
-        settled: Settled<S, D>,
-    ) -> Result<(), Error>;
+        cloud: &mut Sorted<'_, '_, S, D, impl Engine<S, D>>,
+        nodes: &mut [NodeOf<S, Self, D>],
+        buffers: &mut GradientBuffers<'_, S, D>,
+    ) -> Result<(), Error> {
+        let _ = (solver, cloud, nodes, buffers);
+        Ok(())
+    }
+
+    /// Sums the energy, where that takes another sweep, after velocities have been kicked.
+    fn close_energy<C: CutOff, V: Viscosity<S>, E: EquationOfState<S>>(
+        solver: &GasDynamics<'_, S, C, V, E, Self, D>,
+        cloud: &mut Sorted<'_, '_, S, D, impl Engine<S, D>>,
+        nodes: &mut [NodeOf<S, Self, D>],
+        rates: &mut RatesOf<S, Self, D>,
+    ) -> Result<(), Error> {
+        let _ = (solver, cloud, nodes, rates);
+        Ok(())
+    }
 }
 
-/// A cloud whose densities are settled.
-#[derive(Clone, Copy, Debug)]
-pub struct Settled<S, const D: usize> {
-    /// How it is sorted.
-    pub(super) grid: Grid<S, D>,
+/// The state of the matter of a particle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Thermal<S> {
+    /// Number of its material.
+    pub material: u8,
+    /// ρ.
+    pub density: S,
+    /// p.
+    pub pressure: S,
+    /// e.
+    pub energy: S,
+}
+
+/// A sorted cloud of settled densities on its way through a step of length `dt`.
+pub struct Sorted<'a, 'g, S, const D: usize, N> {
+    /// Evaluates laws.
+    pub(super) engine: &'a mut N,
+    /// The state.
+    pub(super) gas: &'a mut Gas<'g, S, D>,
+    /// Its order.
+    pub(super) cells: Cells<'a, S, D>,
     /// The step that brought it here.
     pub(super) dt: S,
 }
@@ -43,34 +89,7 @@ impl<S: Scalar, const D: usize> Physics<S, D> for Plain<S, D> {
     fn plain(&self) -> &Plain<S, D> {
         self
     }
-    fn diffusivity(&self) -> S {
-        S::ZERO
-    }
-    fn rates<C: CutOff, V: Viscosity<S>, E: EquationOfState<S>>(
-        solver: &GasDynamics<'_, S, C, V, E, Self, D>,
-        engine: &mut impl Engine<S, D>,
-        gas: &mut Gas<'_, S, D>,
-        work: &mut Workspace<'_, S, D>,
-        settled: Settled<S, D>,
-    ) -> Result<(), Error> {
-        solver.motion_rates(engine, gas, work, settled.grid, settled.dt)
-    }
-}
-
-impl<S: Scalar, const D: usize> Physics<S, D> for Options<S, D> {
-    fn plain(&self) -> &Plain<S, D> {
-        &self.plain
-    }
-    fn diffusivity(&self) -> S {
-        self.diffusion.viscosity + self.diffusion.heat
-    }
-    fn rates<C: CutOff, V: Viscosity<S>, E: EquationOfState<S>>(
-        solver: &GasDynamics<'_, S, C, V, E, Self, D>,
-        engine: &mut impl Engine<S, D>,
-        gas: &mut Gas<'_, S, D>,
-        work: &mut Workspace<'_, S, D>,
-        settled: Settled<S, D>,
-    ) -> Result<(), Error> {
-        solver.exchange_rates(engine, gas, work, settled.grid, settled.dt)
+    fn shown(&self, _: &Thermal<S>) -> Nothing {
+        Nothing
     }
 }

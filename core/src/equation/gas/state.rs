@@ -1,5 +1,7 @@
 //! The state of a gas: arrays side by side, in memory that belongs to the caller.
 
+use crate::cloud::{Columns, Unit, columns};
+use crate::digest::Digest;
 use crate::error::{Error, Quantity};
 use crate::scalar::Scalar;
 
@@ -48,10 +50,10 @@ pub struct Gas<'a, S, const D: usize> {
     /// `e`, internal energy per mass.
     pub energy: &'a mut [S],
     /// `m`; never changes.
-    pub mass: &'a [S],
+    pub mass: &'a mut [S],
     /// Place of the material in [`GasDynamics::materials`](super::GasDynamics::materials);
     /// never changes.
-    pub material: &'a [u8],
+    pub material: &'a mut [u8],
     /// ε.
     pub epsilon: &'a mut [S],
     /// ρ.
@@ -104,7 +106,41 @@ pub(super) struct Wave<S> {
     pub(super) power: S,
 }
 
+columns! {
+    impl [const D: usize] Gas<'_, S, D> {
+        position: vectors, Position, Directions, Unit::LENGTH, State;
+        velocity: vectors, Vector, Directions, Unit::VELOCITY, State;
+        energy: scalars, Scalar, One, Unit::VELOCITY.times(Unit::VELOCITY), State;
+        mass: scalars, Scalar, One, Unit::MASS, State;
+        material: integers, Integer, One, Unit::NONE, Carried;
+        epsilon: scalars, Scalar, One, Unit::LENGTH, State;
+        density: scalars, Scalar, One, Unit::MASS.times(Unit::VOLUME.inverse()), State;
+        force: vectors, Vector, Directions, Unit::MASS.times(Unit::VELOCITY).times(RATE), State;
+        power: scalars, Scalar, One, ENERGY.times(RATE), State;
+        power_slope: scalars, Scalar, One, ENERGY.times(RATE).times(RATE), State;
+        viscosity_factor: scalars, Scalar, One, Unit::NONE, State;
+        divergence: scalars, Scalar, One, RATE, Carried;
+        approach: scalars, Scalar, One, Unit::VELOCITY, Carried;
+        signal: scalars, Scalar, One, Unit::VELOCITY, Carried;
+        neighbours: scalars, Scalar, One, Unit::NONE, Derived;
+    }
+}
+
+/// One over a time.
+const RATE: Unit = Unit {
+    time: -1,
+    ..Unit::NONE
+};
+/// An energy.
+const ENERGY: Unit = Unit::MASS.times(Unit::VELOCITY).times(Unit::VELOCITY);
+
 impl<S: Scalar, const D: usize> Gas<'_, S, D> {
+    /// The digest of the state: position, velocity, energy, mass, ε, density, force, power,
+    /// its slope and the factor of the viscosity, each for all particles in id order.
+    pub fn digest(&self) -> Digest {
+        Columns::digest(self)
+    }
+
     /// Number of particles.
     pub fn len(&self) -> usize {
         self.mass.len()
@@ -265,6 +301,70 @@ impl<S: Scalar, const D: usize> Row<'_, S, D> {
             Some(Error::NegativeEnergy { particle })
         } else {
             None
+        }
+    }
+}
+
+/// A particle as it was before the last step.
+#[derive(Clone, Copy, Debug)]
+pub struct Before<S, const D: usize> {
+    position: [S; D],
+    velocity: [S; D],
+    force: [S; D],
+    /// Energy, ε, density, power, its slope, factor, divergence, approach, signal, neighbours.
+    scalars: [S; 10],
+}
+
+impl<S: Scalar, const D: usize> Gas<'_, S, D> {
+    /// Particle `id` as it is now; `None` beyond the end.
+    pub fn kept(&self, id: usize) -> Option<Before<S, D>> {
+        Some(Before {
+            position: *self.position.get(id)?,
+            velocity: *self.velocity.get(id)?,
+            force: *self.force.get(id)?,
+            scalars: [
+                *self.energy.get(id)?,
+                *self.epsilon.get(id)?,
+                *self.density.get(id)?,
+                *self.power.get(id)?,
+                *self.power_slope.get(id)?,
+                *self.viscosity_factor.get(id)?,
+                *self.divergence.get(id)?,
+                *self.approach.get(id)?,
+                *self.signal.get(id)?,
+                *self.neighbours.get(id)?,
+            ],
+        })
+    }
+
+    /// Makes particle `id` what it was; does nothing beyond the end.
+    pub fn put_back(&mut self, id: usize, before: &Before<S, D>) {
+        let vectors = [
+            (&mut *self.position, before.position),
+            (&mut *self.velocity, before.velocity),
+            (&mut *self.force, before.force),
+        ];
+        for (array, value) in vectors {
+            if let Some(entry) = array.get_mut(id) {
+                *entry = value;
+            }
+        }
+        let scalars = [
+            &mut *self.energy,
+            &mut *self.epsilon,
+            &mut *self.density,
+            &mut *self.power,
+            &mut *self.power_slope,
+            &mut *self.viscosity_factor,
+            &mut *self.divergence,
+            &mut *self.approach,
+            &mut *self.signal,
+            &mut *self.neighbours,
+        ];
+        for (array, value) in scalars.into_iter().zip(before.scalars) {
+            if let Some(entry) = array.get_mut(id) {
+                *entry = value;
+            }
         }
     }
 }

@@ -2,20 +2,26 @@
 
 use heapless::Vec;
 
+use crate::equation::{Dynamics, Parts, Storage};
 use crate::error::{Container, Error};
 use crate::neighbours::{CellBuffers, Site};
+use crate::pairs::Nothing;
 use crate::pairs::{Fields, Settled};
 use crate::scalar::Scalar;
 
 use super::density::{DensityNode, DensitySums};
-use super::exchange::{ExchangeNode, ExchangeSums};
+use super::exchange::Extras;
 use super::gradient::{GradientNode, GradientSums};
-use super::motion::{GasNode, GasSums};
+use super::motion::{GasNode, GasSums, NodeOf};
 use super::open::Cloud;
-use super::state::{Gas, Particle};
+use super::state::{Before, Gas, Particle};
 
-/// Memory that a step works in; nothing in it outlives the step.
-pub struct Workspace<'a, S: Scalar, const D: usize> {
+/// The node and the sums of each particle of a gas with these terms, in sorted order.
+pub type RatesOf<S, T, const D: usize> = [Settled<NodeOf<S, T, D>, GasSums<S, D>>];
+
+/// Memory that a step works in; nothing in it outlives the step. `X` is what the terms beyond the
+/// paper's equations show: [`Terms::Shown`](super::Terms::Shown).
+pub struct Workspace<'a, S: Scalar, X: Fields<S>, const D: usize> {
     /// For the search for partners.
     pub cells: CellBuffers<'a, S, D>,
     /// Nodes of the density sum, in sorted order.
@@ -23,82 +29,54 @@ pub struct Workspace<'a, S: Scalar, const D: usize> {
     /// Its results.
     pub densities: &'a mut [Settled<DensityNode<S, D>, DensitySums<S, D>>],
     /// Nodes of the motion, in sorted order.
-    pub gas_nodes: &'a mut [GasNode<S, D>],
+    pub nodes: &'a mut [GasNode<S, X, D>],
     /// Its results.
-    pub rates: &'a mut [Settled<GasNode<S, D>, GasSums<S, D>>],
-    /// For what goes beyond the paper's equations: [`Options`](super::Options). Empty with
-    /// [`Plain`](super::Plain).
-    pub exchange: ExchangeWorkspace<'a, S, D>,
+    pub rates: &'a mut [Settled<GasNode<S, X, D>, GasSums<S, D>>],
+    /// For gradients.
+    pub gradients: GradientBuffers<'a, S, D>,
 }
 
-/// Memory for the sums of [`super::exchange`] and [`super::gradient`].
-pub struct ExchangeWorkspace<'a, S: Scalar, const D: usize> {
-    /// Nodes of the velocity gradients, in sorted order.
-    pub gradient_nodes: &'a mut [GradientNode<S, D>],
-    /// Their results.
-    pub gradients: &'a mut [Settled<GradientNode<S, D>, GradientSums<S, D>>],
-    /// Nodes of the exchange, in sorted order.
-    pub nodes: &'a mut [ExchangeNode<S, D>],
-    /// Its results.
-    pub rates: &'a mut [Settled<ExchangeNode<S, D>, ExchangeSums<S, D>>],
-}
-
-impl<S: Scalar, const D: usize> Default for ExchangeWorkspace<'_, S, D> {
-    /// None.
-    fn default() -> Self {
-        Self {
-            gradient_nodes: &mut [],
-            gradients: &mut [],
-            nodes: &mut [],
-            rates: &mut [],
-        }
-    }
-}
-
-/// The memory of an [`ExchangeWorkspace`] for `N` particles, without a heap:
-/// `work.exchange = storage.parts()`.
-pub struct ExchangeStorage<S: Scalar, const D: usize, const N: usize> {
-    gradient_nodes: [GradientNode<S, D>; N],
-    gradients: [Settled<GradientNode<S, D>, GradientSums<S, D>>; N],
-    nodes: [ExchangeNode<S, D>; N],
-    rates: [Settled<ExchangeNode<S, D>, ExchangeSums<S, D>>; N],
-}
-
-impl<S: Scalar, const D: usize, const N: usize> Default for ExchangeStorage<S, D, N> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl<S: Scalar, const D: usize, const N: usize> ExchangeStorage<S, D, N> {
-    /// Memory with nothing in it.
-    pub const fn new() -> Self {
-        Self {
-            gradient_nodes: [GradientNode::ZERO; N],
-            gradients: [Settled::new(GradientNode::ZERO, GradientSums::ZERO); N],
-            nodes: [ExchangeNode::ZERO; N],
-            rates: [Settled::new(ExchangeNode::ZERO, ExchangeSums::ZERO); N],
-        }
-    }
-
-    /// As the solver takes it.
-    pub fn parts(&mut self) -> ExchangeWorkspace<'_, S, D> {
-        ExchangeWorkspace {
-            gradient_nodes: &mut self.gradient_nodes,
-            gradients: &mut self.gradients,
-            nodes: &mut self.nodes,
-            rates: &mut self.rates,
-        }
-    }
+/// Memory for the sums of [`super::gradient`]; empty where no gradients are needed.
+pub struct GradientBuffers<'a, S: Scalar, const D: usize> {
+    /// Nodes, in sorted order.
+    pub nodes: &'a mut [GradientNode<S, D>],
+    /// Results.
+    pub sums: &'a mut [Settled<GradientNode<S, D>, GradientSums<S, D>>],
 }
 
 /// A gas of at most `N` particles on at most `C - 1` cells, with its workspace, in one piece
 /// of memory without a heap.
 ///
-/// `C` must exceed [`cell_bound`](crate::neighbours::cell_bound)`(N)`. [`GasStorage::new`] is
+/// `X` is what its terms show: [`Nothing`](crate::pairs::Nothing) with
+/// [`Plain`](super::Plain), [`Extras`](super::exchange::Extras) with [`Options`](super::Options).
+/// `G` is `N` where options need gradients, else 0. `C` must exceed
+/// [`cell_bound`](crate::neighbours::cell_bound)`(N)`. [`GasStorage::new`] is
 /// `const`, and all bits of an empty storage are 0 but for the heapless lengths: a `static`
 /// one costs no flash and no stack.
-pub struct GasStorage<S: Scalar, const D: usize, const N: usize, const C: usize> {
+pub struct GasStorage<
+    S: Scalar,
+    X: Fields<S>,
+    const D: usize,
+    const N: usize,
+    const G: usize,
+    const C: usize,
+> {
+    arrays: Arrays<S, D, N>,
+    sites: [Site<S, D>; N],
+    order: [u32; N],
+    cell_of: [u32; N],
+    starts: [u32; C],
+    density_nodes: [DensityNode<S, D>; N],
+    densities: [Settled<DensityNode<S, D>, DensitySums<S, D>>; N],
+    nodes: [GasNode<S, X, D>; N],
+    rates: [Settled<GasNode<S, X, D>, GasSums<S, D>>; N],
+    gradient_nodes: [GradientNode<S, D>; G],
+    gradients: [Settled<GradientNode<S, D>, GradientSums<S, D>>; G],
+    before: Vec<Before<S, D>, N>,
+}
+
+/// The arrays of the state.
+struct Arrays<S, const D: usize, const N: usize> {
     position: Vec<[S; D], N>,
     velocity: Vec<[S; D], N>,
     energy: Vec<S, N>,
@@ -114,25 +92,10 @@ pub struct GasStorage<S: Scalar, const D: usize, const N: usize, const C: usize>
     approach: [S; N],
     signal: [S; N],
     neighbours: [S; N],
-    sites: [Site<S, D>; N],
-    order: [u32; N],
-    cell_of: [u32; N],
-    starts: [u32; C],
-    density_nodes: [DensityNode<S, D>; N],
-    densities: [Settled<DensityNode<S, D>, DensitySums<S, D>>; N],
-    gas_nodes: [GasNode<S, D>; N],
-    rates: [Settled<GasNode<S, D>, GasSums<S, D>>; N],
 }
 
-impl<S: Scalar, const D: usize, const N: usize, const C: usize> Default for GasStorage<S, D, N, C> {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl<S: Scalar, const D: usize, const N: usize, const C: usize> GasStorage<S, D, N, C> {
-    /// An empty cloud.
-    pub const fn new() -> Self {
+impl<S: Scalar, const D: usize, const N: usize> Arrays<S, D, N> {
+    const fn new() -> Self {
         Self {
             position: Vec::new(),
             velocity: Vec::new(),
@@ -149,51 +112,17 @@ impl<S: Scalar, const D: usize, const N: usize, const C: usize> GasStorage<S, D,
             approach: [S::ZERO; N],
             signal: [S::ZERO; N],
             neighbours: [S::ZERO; N],
-            sites: [Site::EMPTY; N],
-            order: [0; N],
-            cell_of: [0; N],
-            starts: [0; C],
-            density_nodes: [DensityNode::ZERO; N],
-            densities: [Settled::new(DensityNode::ZERO, DensitySums::ZERO); N],
-            gas_nodes: [GasNode::ZERO; N],
-            rates: [Settled::new(GasNode::ZERO, GasSums::ZERO); N],
         }
     }
 
-    /// Adds a particle; its id is the number of particles before it. Error: no room.
-    pub fn push(&mut self, particle: Particle<S, D>) -> Result<(), Error> {
-        let full = Error::Capacity {
-            container: Container::Particles,
-            needed: self.mass.len() as u32 + 1,
-            capacity: N as u32,
-        };
-        self.position.push(particle.position).map_err(|_| full)?;
-        self.velocity.push(particle.velocity).map_err(|_| full)?;
-        self.mass.push(particle.mass).map_err(|_| full)?;
-        self.energy.push(particle.energy).map_err(|_| full)?;
-        self.epsilon.push(particle.epsilon).map_err(|_| full)?;
-        self.material.push(particle.material).map_err(|_| full)
-    }
-
-    /// Removes all particles.
-    pub fn clear(&mut self) {
-        self.position.clear();
-        self.velocity.clear();
-        self.mass.clear();
-        self.energy.clear();
-        self.epsilon.clear();
-        self.material.clear();
-    }
-
-    /// The state and the workspace, as the solver takes them.
-    pub fn parts(&mut self) -> (Gas<'_, S, D>, Workspace<'_, S, D>) {
+    fn gas(&mut self) -> Gas<'_, S, D> {
         let n = self.mass.len();
-        let gas = Gas {
+        Gas {
             position: &mut self.position,
             velocity: &mut self.velocity,
             energy: &mut self.energy,
-            mass: &self.mass,
-            material: &self.material,
+            mass: &mut self.mass,
+            material: &mut self.material,
             epsilon: &mut self.epsilon,
             density: self.density.get_mut(..n).unwrap_or(&mut []),
             force: self.force.get_mut(..n).unwrap_or(&mut []),
@@ -204,7 +133,88 @@ impl<S: Scalar, const D: usize, const N: usize, const C: usize> GasStorage<S, D,
             approach: self.approach.get_mut(..n).unwrap_or(&mut []),
             signal: self.signal.get_mut(..n).unwrap_or(&mut []),
             neighbours: self.neighbours.get_mut(..n).unwrap_or(&mut []),
+        }
+    }
+}
+
+/// The storage of a gas that follows the paper's equations: [`Plain`](super::Plain).
+pub type PlainStorage<S, const D: usize, const N: usize, const C: usize> =
+    GasStorage<S, Nothing, D, N, 0, C>;
+
+/// The storage of a gas with [`Options`](super::Options).
+pub type OptionsStorage<S, const D: usize, const N: usize, const C: usize> =
+    GasStorage<S, Extras<S, D>, D, N, N, C>;
+
+impl<S: Scalar, X: Fields<S>, const D: usize, const N: usize, const G: usize, const C: usize>
+    Default for GasStorage<S, X, D, N, G, C>
+{
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<S: Scalar, X: Fields<S>, const D: usize, const N: usize, const G: usize, const C: usize>
+    GasStorage<S, X, D, N, G, C>
+{
+    /// An empty cloud.
+    pub const fn new() -> Self {
+        Self {
+            arrays: Arrays::new(),
+            sites: [Site::EMPTY; N],
+            order: [0; N],
+            cell_of: [0; N],
+            starts: [0; C],
+            density_nodes: [DensityNode::ZERO; N],
+            densities: [Settled::new(DensityNode::ZERO, DensitySums::ZERO); N],
+            nodes: [GasNode::ZERO; N],
+            rates: [Settled::new(GasNode::ZERO, GasSums::ZERO); N],
+            gradient_nodes: [GradientNode::ZERO; G],
+            gradients: [Settled::new(GradientNode::ZERO, GradientSums::ZERO); G],
+            before: Vec::new(),
+        }
+    }
+
+    /// Adds a particle; its id is the number of particles before it. Error: no room.
+    pub fn push(&mut self, particle: Particle<S, D>) -> Result<(), Error> {
+        let full = Error::Capacity {
+            container: Container::Particles,
+            needed: self.arrays.mass.len() as u32 + 1,
+            capacity: N as u32,
         };
+        self.arrays
+            .position
+            .push(particle.position)
+            .map_err(|_| full)?;
+        self.arrays
+            .velocity
+            .push(particle.velocity)
+            .map_err(|_| full)?;
+        self.arrays.mass.push(particle.mass).map_err(|_| full)?;
+        self.arrays.energy.push(particle.energy).map_err(|_| full)?;
+        self.arrays
+            .epsilon
+            .push(particle.epsilon)
+            .map_err(|_| full)?;
+        self.arrays
+            .material
+            .push(particle.material)
+            .map_err(|_| full)
+    }
+
+    /// Removes all particles.
+    pub fn clear(&mut self) {
+        self.before.clear();
+        self.arrays.position.clear();
+        self.arrays.velocity.clear();
+        self.arrays.mass.clear();
+        self.arrays.energy.clear();
+        self.arrays.epsilon.clear();
+        self.arrays.material.clear();
+    }
+
+    /// The state and the workspace, as the solver takes them.
+    pub fn parts(&mut self) -> (Gas<'_, S, D>, Workspace<'_, S, X, D>) {
+        let gas = self.arrays.gas();
         let work = Workspace {
             cells: CellBuffers {
                 sites: &mut self.sites,
@@ -214,66 +224,108 @@ impl<S: Scalar, const D: usize, const N: usize, const C: usize> GasStorage<S, D,
             },
             density_nodes: &mut self.density_nodes,
             densities: &mut self.densities,
-            gas_nodes: &mut self.gas_nodes,
+            nodes: &mut self.nodes,
             rates: &mut self.rates,
-            exchange: ExchangeWorkspace::default(),
+            gradients: GradientBuffers {
+                nodes: &mut self.gradient_nodes,
+                sums: &mut self.gradients,
+            },
         };
         (gas, work)
     }
 }
 
-impl<S: Scalar, const D: usize, const N: usize, const C: usize> Cloud<S, D>
-    for GasStorage<S, D, N, C>
+impl<S: Scalar, X: Fields<S>, const D: usize, const N: usize, const G: usize, const C: usize>
+    Cloud<S, D> for GasStorage<S, X, D, N, G, C>
 {
     fn gas(&mut self) -> Gas<'_, S, D> {
         self.parts().0
     }
 
     fn insert(&mut self, particle: Particle<S, D>, density: S) -> Result<(), Error> {
-        let id = self.mass.len();
+        let id = self.arrays.mass.len();
         self.push(particle)?;
-        put(&mut self.density, id, density);
-        put(&mut self.force, id, [S::ZERO; D]);
-        put(&mut self.power, id, S::ZERO);
-        put(&mut self.power_slope, id, S::ZERO);
-        put(&mut self.viscosity_factor, id, S::ZERO);
-        put(&mut self.divergence, id, S::ZERO);
-        put(&mut self.approach, id, S::ZERO);
-        put(&mut self.signal, id, S::ZERO);
-        put(&mut self.neighbours, id, S::ZERO);
+        put(&mut self.arrays.density, id, density);
+        put(&mut self.arrays.force, id, [S::ZERO; D]);
+        put(&mut self.arrays.power, id, S::ZERO);
+        put(&mut self.arrays.power_slope, id, S::ZERO);
+        put(&mut self.arrays.viscosity_factor, id, S::ZERO);
+        put(&mut self.arrays.divergence, id, S::ZERO);
+        put(&mut self.arrays.approach, id, S::ZERO);
+        put(&mut self.arrays.signal, id, S::ZERO);
+        put(&mut self.arrays.neighbours, id, S::ZERO);
         Ok(())
     }
 
     fn swap_remove(&mut self, id: usize) {
-        let Some(last) = self.mass.len().checked_sub(1) else {
+        let Some(last) = self.arrays.mass.len().checked_sub(1) else {
             return;
         };
         if id > last {
             return;
         }
-        take_last(&mut self.position, id);
-        take_last(&mut self.velocity, id);
-        take_last(&mut self.energy, id);
-        take_last(&mut self.mass, id);
-        take_last(&mut self.epsilon, id);
-        take_last(&mut self.material, id);
+        take_last(&mut self.arrays.position, id);
+        take_last(&mut self.arrays.velocity, id);
+        take_last(&mut self.arrays.energy, id);
+        take_last(&mut self.arrays.mass, id);
+        take_last(&mut self.arrays.epsilon, id);
+        take_last(&mut self.arrays.material, id);
         // Nothing reads what is left beyond the end.
         for array in [
-            &mut self.density,
-            &mut self.power,
-            &mut self.power_slope,
-            &mut self.viscosity_factor,
-            &mut self.divergence,
-            &mut self.approach,
-            &mut self.signal,
-            &mut self.neighbours,
+            &mut self.arrays.density,
+            &mut self.arrays.power,
+            &mut self.arrays.power_slope,
+            &mut self.arrays.viscosity_factor,
+            &mut self.arrays.divergence,
+            &mut self.arrays.approach,
+            &mut self.arrays.signal,
+            &mut self.arrays.neighbours,
         ] {
             if let Some(&value) = array.get(last) {
                 put(array, id, value);
             }
         }
-        if let Some(&force) = self.force.get(last) {
-            put(&mut self.force, id, force);
+        if let Some(&force) = self.arrays.force.get(last) {
+            put(&mut self.arrays.force, id, force);
+        }
+    }
+}
+
+impl<S, X, Y, const D: usize, const N: usize, const G: usize, const C: usize> Storage<S, Y, D>
+    for GasStorage<S, X, D, N, G, C>
+where
+    S: Scalar,
+    X: Fields<S>,
+    Y: for<'a> Dynamics<
+            S,
+            D,
+            State<'a> = Gas<'a, S, D>,
+            Work<'a> = Workspace<'a, S, X, D>,
+            Particle = Particle<S, D>,
+        >,
+{
+    fn parts(&mut self) -> Parts<'_, S, Y, D> {
+        let (state, work) = self.parts();
+        Parts { state, work }
+    }
+    fn insert(&mut self, particle: Particle<S, D>) -> Result<(), Error> {
+        Cloud::insert(self, particle, S::ZERO)
+    }
+    fn swap_remove(&mut self, id: usize) {
+        Cloud::swap_remove(self, id);
+    }
+    fn keep(&mut self) {
+        self.before.clear();
+        let gas = self.arrays.gas();
+        for id in 0..gas.len() {
+            // There is room for as many as there are particles.
+            let _ = gas.kept(id).map(|particle| self.before.push(particle));
+        }
+    }
+    fn restore(&mut self) {
+        let mut gas = self.arrays.gas();
+        for (id, particle) in self.before.iter().enumerate() {
+            gas.put_back(id, particle);
         }
     }
 }

@@ -6,6 +6,7 @@
 use super::state::Particle;
 use super::{GasDynamics, Plain, Width};
 use crate::domain::{Axis, Domain, Side};
+use crate::error::Error;
 use crate::material::IdealGas;
 use crate::scalar::Scalar;
 
@@ -115,6 +116,14 @@ impl Tube<'_> {
             .iter()
             .flat_map(move |stretch| stretch.particles(eta))
             .map(|particle| particle.rounded())
+    }
+
+    /// Puts the particles of the first state into a storage. Error: no room.
+    pub fn fill<S: Scalar>(
+        &self,
+        mut push: impl FnMut(Particle<S, 1>) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        self.particles().try_for_each(&mut push)
     }
 
     /// The duration of the run.

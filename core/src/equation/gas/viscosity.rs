@@ -69,6 +69,14 @@ pub struct Coefficients<S> {
 }
 
 impl<S: Scalar> Coefficients<S> {
+    /// α = 1, β = 2.
+    pub fn usual() -> Self {
+        Self {
+            alpha: S::ONE,
+            beta: S::count(2),
+        }
+    }
+
     fn signal(&self, sound_speed: S, approach: S) -> S {
         let part = S::from_f64(0.6);
         sound_speed + part * (self.alpha * sound_speed + self.beta * approach)

@@ -5,9 +5,10 @@ use crate::domain::Domain;
 use crate::error::{Error, Quantity};
 use crate::scalar::Scalar;
 
-use super::field::VelocityField;
-use super::state::State;
-use super::system::{FirstOrderSystem, Place};
+use super::system::FirstOrderSystem;
+use crate::cloud::Place;
+use crate::cloud::State;
+use crate::cloud::VelocityField;
 
 /// A linear system and how it is solved. All quantities in solver units: mean spacing and
 /// fastest wave are of order 1.

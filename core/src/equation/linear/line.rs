@@ -8,9 +8,9 @@ use crate::domain::{Axis, Domain, Side};
 use crate::scalar::Scalar;
 
 use super::dynamics::LinearDynamics;
-use super::field::VelocityField;
-use super::state::Particle;
 use super::system::FirstOrderSystem;
+use crate::cloud::Particle;
+use crate::cloud::VelocityField;
 
 /// A cloud of `P` components on a line in solver units, every number an `f64` that the run's
 /// scalar rounds once.

@@ -5,25 +5,23 @@
 //! `q_k = w_k u_k`. A [`FirstOrderSystem`] says what the `A^i` are: `systems` has some, each in a
 //! file that reads like its equations.
 
-mod cloud;
 mod dynamics;
-mod field;
 mod law;
 mod line;
 mod rates;
 mod reconstruction;
-mod state;
 mod storage;
 mod system;
 pub mod systems;
 
-pub(crate) use cloud::CloudStorage;
 pub use dynamics::{LinearDynamics, Stability};
-pub use field::{
-    Compression, Named as NamedField, Rotation, Shear, Still, Uniform, VelocityField, Wave,
-};
 pub use law::{SystemNode, SystemSums};
 pub use line::Line;
-pub use state::{Particle, State};
-pub use storage::{LinearStorage, LinearWorkspace, Register, Start};
-pub use system::{FirstOrderSystem, Nothing, Place};
+pub use storage::{LinearStorage, LinearWorkspace};
+pub use system::FirstOrderSystem;
+
+pub use crate::cloud::{
+    Compression, NamedField, Particle, Place, Register, Rotation, Shear, Start, State, Still,
+    Uniform, VelocityField, Wave,
+};
+pub use crate::pairs::Nothing;

@@ -7,11 +7,12 @@ use crate::pairs::{Engine, Fields as _, Settled};
 use crate::scalar::Scalar;
 
 use super::dynamics::LinearDynamics;
-use super::field::VelocityField;
 use super::law::{Coupling, SystemNode, SystemSums};
-use super::state::State;
 use super::storage::LinearWorkspace;
-use super::system::{FirstOrderSystem, Place};
+use super::system::FirstOrderSystem;
+use crate::cloud::Place;
+use crate::cloud::State;
+use crate::cloud::VelocityField;
 
 impl<S, C, F, A, const D: usize, const P: usize> LinearDynamics<S, C, F, A, D, P>
 where
@@ -36,7 +37,7 @@ where
         }
         state.check()?;
         state.weigh();
-        work.grid = None;
+        *work.grid = None;
         self.sums(engine, state, work, S::ZERO, true)?;
         let alone = |&neighbours: &S| !(neighbours > S::ZERO);
         match state.neighbours.iter().position(alone) {
@@ -105,7 +106,7 @@ where
         counted: bool,
     ) -> Result<(), Error> {
         let n = state.len();
-        let grid = match work.grid {
+        let grid = match *work.grid {
             Some(grid) => grid,
             None => {
                 let reach = self.reach();
@@ -114,7 +115,7 @@ where
                 grid
             }
         };
-        work.grid = self.field.is_still().then_some(grid);
+        *work.grid = self.field.is_still().then_some(grid);
         let cells = work.cells.cells(grid, n);
         let (Some(nodes), Some(sums), Some(last)) = (
             work.nodes.get_mut(..n),

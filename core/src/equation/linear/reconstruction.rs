@@ -8,11 +8,11 @@ use crate::pairs::{Fields, Law, Separation, Settled, receive_at};
 use crate::scalar::{Number, Scalar};
 
 use super::dynamics::LinearDynamics;
-use super::field::VelocityField;
 use super::law::{SystemNode, SystemSums};
-use super::state::State;
 use super::storage::LinearWorkspace;
 use super::system::FirstOrderSystem;
+use crate::cloud::State;
+use crate::cloud::VelocityField;
 
 /// (1.13): `u_h^ε(x) = Σ_l w_l u_l ζ_ε(x - x_l)`, over the nodes of the system.
 #[derive(Clone, Copy, Debug)]

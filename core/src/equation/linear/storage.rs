@@ -1,57 +1,13 @@
 //! The memory of a linear system: what a step works in, and all of it in one piece for a device.
 
+use crate::cloud::{CloudParts, CloudStorage, Particle, Register, Start, State};
+use crate::equation::{Dynamics, Parts, Storage};
 use crate::error::Error;
 use crate::neighbours::{CellBuffers, Grid};
 use crate::pairs::{Fields, Settled};
 use crate::scalar::Scalar;
 
-use super::cloud::CloudStorage;
 use super::law::{SystemNode, SystemSums};
-use super::state::{Particle, State};
-
-/// Rates of a particle, or a sum of them: `dx/dt`, `dw/dt`, `ε dq/dt`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Register<S, const D: usize, const P: usize> {
-    /// Of the position: `a`.
-    pub position: [S; D],
-    /// Of the weight: `w div a`.
-    pub weight: S,
-    /// Of the strength, times ε.
-    pub strength: [S; P],
-}
-
-impl<S: Scalar, const D: usize, const P: usize> Register<S, D, P> {
-    /// No rates.
-    pub const ZERO: Self = Self {
-        position: [S::ZERO; D],
-        weight: S::ZERO,
-        strength: [S::ZERO; P],
-    };
-
-    /// Adds `n` times other rates, by repeated sums: exact in fixed point.
-    pub(crate) fn add(&mut self, n: u32, rates: &Self) {
-        for _ in 0..n {
-            for (sum, &rate) in self.position.iter_mut().zip(&rates.position) {
-                *sum += rate;
-            }
-            self.weight += rates.weight;
-            for (sum, &rate) in self.strength.iter_mut().zip(&rates.strength) {
-                *sum += rate;
-            }
-        }
-    }
-}
-
-/// What a particle was at the start of a step.
-#[derive(Clone, Copy, Debug)]
-pub struct Start<S: Scalar, const D: usize, const P: usize> {
-    /// Its position.
-    pub position: [S; D],
-    /// Its weight.
-    pub weight: S,
-    /// Its strength.
-    pub strength: [S::Wide; P],
-}
 
 /// Memory that a step works in. All but `starts` of the cells hold as many as there are
 /// particles.
@@ -59,7 +15,7 @@ pub struct LinearWorkspace<'a, S: Scalar, M: Fields<S>, const D: usize, const P:
     /// For the search for partners.
     pub cells: CellBuffers<'a, S, D>,
     /// The geometry of the cells, while the particles have not moved.
-    pub grid: Option<Grid<S, D>>,
+    pub grid: &'a mut Option<Grid<S, D>>,
     /// Nodes, in sorted order.
     pub nodes: &'a mut [SystemNode<S, M, D, P>],
     /// Sums over pairs, in sorted order.
@@ -126,10 +82,16 @@ impl<S: Scalar, M: Fields<S>, const D: usize, const P: usize, const N: usize, co
 
     /// The state and the workspace, as the solver takes them.
     pub fn parts(&mut self) -> (State<'_, S, D, P>, LinearWorkspace<'_, S, M, D, P>) {
-        let (state, cells, start) = self.cloud.parts();
+        let CloudParts {
+            state,
+            cells,
+            start,
+            grid,
+            ..
+        } = self.cloud.parts();
         let work = LinearWorkspace {
             cells,
-            grid: None,
+            grid,
             nodes: &mut self.nodes,
             sums: &mut self.sums,
             start,
@@ -137,5 +99,36 @@ impl<S: Scalar, M: Fields<S>, const D: usize, const P: usize, const N: usize, co
             sum: &mut self.sum,
         };
         (state, work)
+    }
+}
+
+impl<S, M, Y, const D: usize, const P: usize, const N: usize, const C: usize> Storage<S, Y, D>
+    for LinearStorage<S, M, D, P, N, C>
+where
+    S: Scalar,
+    M: Fields<S>,
+    Y: for<'a> Dynamics<
+            S,
+            D,
+            State<'a> = State<'a, S, D, P>,
+            Work<'a> = LinearWorkspace<'a, S, M, D, P>,
+            Particle = Particle<S, D, P>,
+        >,
+{
+    fn parts(&mut self) -> Parts<'_, S, Y, D> {
+        let (state, work) = self.parts();
+        Parts { state, work }
+    }
+    fn insert(&mut self, particle: Particle<S, D, P>) -> Result<(), Error> {
+        self.push(particle)
+    }
+    fn swap_remove(&mut self, id: usize) {
+        self.cloud.swap_remove(id);
+    }
+    fn keep(&mut self) {
+        self.cloud.keep();
+    }
+    fn restore(&mut self) {
+        self.cloud.restore();
     }
 }

@@ -1,36 +1,8 @@
 //! What a linear first-order system has to say.
 
+use crate::cloud::Place;
 use crate::pairs::Fields;
 use crate::scalar::{Number, Scalar};
-
-/// Where and when.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place<S, const D: usize> {
-    /// Position `x`.
-    pub position: [S; D],
-    /// Time `t`.
-    pub time: S,
-}
-
-/// No data: what constant matrices need to know of a place.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Nothing;
-
-impl<S: Scalar> Fields<S> for Nothing {
-    type Of<N: Number<Scalar = S>> = Self;
-    const ZERO: Self = Self;
-
-    #[inline(always)]
-    fn splat<N: Number<Scalar = S>>(&self) -> Self {
-        Self
-    }
-    #[inline(always)]
-    fn set_lane<N: Number<Scalar = S>>(_: &mut Self, _: usize, _: &Self) {}
-    #[inline(always)]
-    fn lane<N: Number<Scalar = S>>(_: &Self, _: usize) -> Self {
-        Self
-    }
-}
 
 /// A system `∂u/∂t + Σ_i ∂_i(A^i u) + A⁰ u = f` of `P` components in `D` dimensions, with
 ///

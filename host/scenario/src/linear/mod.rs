@@ -17,12 +17,14 @@ mod tensor;
 mod time;
 mod wall;
 
-use super::error::{Fault, ScenarioError};
-use super::files::Files;
-use super::section::Section;
-use super::source::Source;
-use super::tolerance::Tolerance;
-use super::{CutOff, Domain, Side, Units, check, cut_off};
+use crate::domain::{Domain, Side};
+use crate::error::{Fault, ScenarioError};
+use crate::files::Files;
+use crate::heading::{self, Units};
+use crate::section::Section;
+use crate::source::Source;
+use crate::tolerance::Tolerance;
+use crate::{CutOff, check, cut_off};
 
 pub use conductor::Conductor;
 pub use diffusion::{ConvectionDiffusion, Form, Mean, Modulation};
@@ -97,7 +99,7 @@ pub(super) fn scenario(
     files: Files<'_>,
     text: &str,
 ) -> Result<LinearScenario, Fault> {
-    let heading = check::heading(root)?;
+    let heading = heading::heading(root)?;
     let domain = heading.domain;
     check_sides(root, &domain)?;
     let system = system::system(root, &domain, files)?;

@@ -8,6 +8,7 @@ use super::*;
 
 mod format;
 mod linear;
+mod set;
 
 const SOD: &str = BUILT_IN[0].text;
 

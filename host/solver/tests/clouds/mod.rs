@@ -5,8 +5,9 @@ use motes_core::cutoff::CutOff;
 use motes_core::domain::{Axis, Domain, Side};
 use motes_core::equation::gas::{GasDynamics, Options, Particle, Physics, Plain, Viscosity, Width};
 use motes_core::material::IdealGas;
+use motes_core::pairs::Fields;
 use motes_core::scalar::Scalar;
-use motes_solver::families::gas::GasArrays;
+use motes_solver::families::gas::{GasArrays, PlainArrays};
 
 /// A gas solver of the tests, with the law `P`.
 pub type Following<S, C, V, P, const D: usize> = GasDynamics<'static, S, C, V, IdealGas<S>, P, D>;
@@ -74,15 +75,15 @@ impl Cloud {
         (0..self.per_side.pow(D as u32)).map(&mut place).collect()
     }
 
-    pub fn arrays<S: Scalar, const D: usize>(&self) -> GasArrays<S, D> {
+    pub fn arrays<S: Scalar, const D: usize>(&self) -> PlainArrays<S, D> {
         GasArrays::new(self.particles(), &Options::OFF)
     }
 
     /// The same with memory for these options, and the upper half of material 1.
-    pub fn arrays_of_two<S: Scalar, const D: usize>(
+    pub fn arrays_of_two<S: Scalar, X: Fields<S>, const D: usize>(
         &self,
         options: &Options<S, D>,
-    ) -> GasArrays<S, D> {
+    ) -> GasArrays<S, X, D> {
         let half = S::from_f64(0.5 * self.per_side as f64);
         let mut particles = self.particles::<S, D>();
         for particle in &mut particles {

@@ -1,12 +1,13 @@
 //! Artificial conduction, and whom heat goes to, pair by pair.
 
 use motes_core::cutoff::{CubicSpline, CutOff};
-use motes_core::equation::gas::Diffusion;
-use motes_core::equation::gas::exchange::{Exchange, ExchangeNode, ExchangeSums, Sum};
+use motes_core::equation::gas::exchange::Extras;
+use motes_core::equation::gas::motion::{GasNode, GasSums, Motion};
 use motes_core::equation::gas::viscosity::Inviscid;
+use motes_core::equation::gas::{Diffusion, Options};
 use motes_core::pairs::{Fields, Law, Separation};
 
-type Node = ExchangeNode<f64, 2>;
+type Node = GasNode<f64, Extras<f64, 2>, 2>;
 
 const R: [f64; 2] = [0.6, -0.8];
 const CONDUCTION: f64 = 0.75;
@@ -18,10 +19,13 @@ fn node(energy: f64, pressure: f64, sound_speed: f64) -> Node {
         mass: 1.25,
         measure: 1.25,
         density: 1.5,
-        specific_volume: 1.0 / 1.5,
-        energy,
-        pressure,
         sound_speed,
+        terms: Extras {
+            specific_volume: 1.0 / 1.5,
+            energy,
+            pressure,
+            ..Extras::ZERO
+        },
         epsilon: 1.2,
         gradient: sigma / 1.2f64.powi(4),
         scale: 1.0 / 1.2,
@@ -32,18 +36,19 @@ fn node(energy: f64, pressure: f64, sound_speed: f64) -> Node {
 /// What both receive, `k` the first, at distance 1, with this artificial and physical
 /// conduction.
 fn heat(k: &Node, l: &Node, conduction: f64, heat: f64) -> [f64; 2] {
-    let law = Exchange {
+    let law = Motion {
         cut_off: CubicSpline,
         viscosity: Inviscid,
-        limited: false,
-        conduction,
-        diffusion: Diffusion {
-            viscosity: 0.0,
-            heat,
+        terms: Options {
+            conduction,
+            diffusion: Diffusion {
+                viscosity: 0.0,
+                heat,
+            },
+            ..Options::OFF
         },
-        sum: Sum::Forces,
     };
-    let (mut to_k, mut to_l) = (ExchangeSums::ZERO, ExchangeSums::ZERO);
+    let (mut to_k, mut to_l) = (GasSums::ZERO, GasSums::ZERO);
     let apart = Separation::of(&law, [k, l], R, 1.0);
     law.pair(k, l, &apart, &mut to_k, &mut to_l);
     [to_k.power, to_l.power]
@@ -85,8 +90,9 @@ fn heat_is_what_the_formulas_say_and_antisymmetric() {
         let [k, l] = receding(speed, jump);
         let g = k.gradient * CubicSpline.gradient::<2, f64>(1.0 / 1.2);
         let signal = f64::max(jump / density - speed.max(0.0), 0.0).sqrt();
-        let artificial = mass * mass * CONDUCTION * signal / density * (k.energy - l.energy) * g;
-        let physical = mass * mass * 0.2 * (2.0 / density) * (k.energy - l.energy) * g;
+        let artificial =
+            mass * mass * CONDUCTION * signal / density * (k.terms.energy - l.terms.energy) * g;
+        let physical = mass * mass * 0.2 * (2.0 / density) * (k.terms.energy - l.terms.energy) * g;
         for (conduction, diffusivity, expected) in [
             (CONDUCTION, 0.0, artificial),
             (0.0, 0.2, physical),
@@ -108,9 +114,9 @@ fn heat_is_what_the_formulas_say_and_antisymmetric() {
 fn no_heat_crosses_between_materials() {
     for [a, b] in [[0.0, 1.0], [1.0, 0.0], [2.0, 255.0]] {
         let [mut k, mut l] = receding(-0.2, 0.5);
-        (k.material, l.material) = (a, b);
+        (k.terms.material, l.terms.material) = (a, b);
         assert_eq!(heat(&k, &l, CONDUCTION, 0.2), [0.0; 2], "{a} and {b}");
-        l.material = a;
+        l.terms.material = a;
         assert!(heat(&k, &l, CONDUCTION, 0.2)[0] < 0.0, "{a} and {a}");
     }
 }
@@ -122,9 +128,9 @@ fn conduction_spares_a_linear_profile_and_never_runs_uphill() {
     let [mut k, mut l] = receding(0.0, 0.5);
     let whole = heat(&k, &l, CONDUCTION, 0.0)[0];
     let slope = |rise: f64| R.map(|r| rise * r);
-    let jump = k.energy - l.energy;
+    let jump = k.terms.energy - l.terms.energy;
     for (rise, part) in [(0.0, 1.0), (0.5, 0.5), (1.0, 0.0), (2.0, 0.0), (-1.0, 1.0)] {
-        (k.energy_slope, l.energy_slope) = (slope(rise * jump), slope(rise * jump));
+        (k.terms.energy_slope, l.terms.energy_slope) = (slope(rise * jump), slope(rise * jump));
         let [to_k, to_l] = heat(&k, &l, CONDUCTION, 0.0);
         assert_eq!(to_k, -to_l);
         assert!(
@@ -133,6 +139,6 @@ fn conduction_spares_a_linear_profile_and_never_runs_uphill() {
         );
     }
     // Slopes of unlike sign: an extremum, where nothing is continued.
-    (k.energy_slope, l.energy_slope) = (slope(jump), slope(-jump));
+    (k.terms.energy_slope, l.terms.energy_slope) = (slope(jump), slope(-jump));
     assert_eq!(heat(&k, &l, CONDUCTION, 0.0)[0], whole);
 }

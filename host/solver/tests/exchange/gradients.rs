@@ -7,7 +7,7 @@ use motes_core::equation::gas::Particle;
 use motes_core::equation::gas::gradient::{Gradient, GradientNode, GradientSums, Slopes};
 use motes_core::neighbours::sort;
 use motes_core::pairs::{Engine, Fields, PlainLoop, Settled};
-use motes_solver::families::gas::GasArrays;
+use motes_solver::families::gas::PlainArrays;
 
 use super::{Matrix, cloud, dot, times};
 use crate::clouds::Stream;
@@ -16,7 +16,7 @@ use crate::clouds::Stream;
 fn slopes<const D: usize>(particles: &[Particle<f64, D>]) -> Vec<Slopes<f64, D>> {
     let positions: Vec<_> = particles.iter().map(|particle| particle.position).collect();
     let width = |id: usize| particles[id].epsilon;
-    let mut arrays = GasArrays::new(particles.iter().copied(), &Options::OFF);
+    let mut arrays = PlainArrays::new(particles.iter().copied(), &Options::OFF);
     let (_, mut work) = arrays.parts();
     let reach = |id| 2.0 * width(id);
     let grid = sort(&Domain::FREE, &positions, reach, &mut work.cells).unwrap();

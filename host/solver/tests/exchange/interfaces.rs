@@ -38,7 +38,7 @@ fn errors(weights: Weights, energy: EnergyForm) -> [f64; 2] {
         weights == Weights::Mass || (unit - 1.0).abs() < 0.01,
         "{unit}"
     );
-    let density = gas.density.iter().zip(gas.mass);
+    let density = gas.density.iter().zip(gas.mass.iter());
     let off = density.map(|(density, mass)| (density / mass - 1.0).abs() - (unit - 1.0).abs());
     let force = gas
         .force

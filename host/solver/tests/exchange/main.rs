@@ -14,13 +14,14 @@ mod walls;
 use clouds::Cloud;
 use motes_core::cutoff::CutOff;
 use motes_core::domain::{Axis, Domain};
+use motes_core::equation::gas::exchange::Extras;
 use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
 use motes_core::equation::gas::{
     Diffusion, EnergyForm, Gas, GasDynamics, Options, Particle, Switch, Viscosity, Width, Workspace,
 };
 use motes_core::material::EquationOfState;
 use motes_core::pairs::HalfLoop;
-use motes_solver::families::gas::GasArrays;
+use motes_solver::families::gas::OptionsArrays;
 
 /// A vector field or a velocity gradient, `∂u_i/∂x_j`.
 type Matrix<const D: usize> = [[f64; D]; D];
@@ -105,7 +106,7 @@ fn periodic<const D: usize>(counts: [usize; D]) -> Domain<f64, D> {
 /// A gas and how it is solved.
 struct Setup<'a, C, V, E, const D: usize> {
     solver: GasDynamics<'a, f64, C, V, E, Options<f64, D>, D>,
-    arrays: GasArrays<f64, D>,
+    arrays: OptionsArrays<f64, D>,
 }
 
 impl<'a, C: CutOff, V: Viscosity<f64>, E: EquationOfState<f64>, const D: usize>
@@ -121,7 +122,7 @@ impl<'a, C: CutOff, V: Viscosity<f64>, E: EquationOfState<f64>, const D: usize>
     ) -> Self {
         // Memory for the widest of options: a law that needs less ignores the rest.
         let mut setup = Self {
-            arrays: GasArrays::new(particles, &everything(EnergyForm::Exact)),
+            arrays: OptionsArrays::new(particles, &everything(EnergyForm::Exact)),
             solver: GasDynamics {
                 domain,
                 cut_off,
@@ -141,7 +142,8 @@ impl<'a, C: CutOff, V: Viscosity<f64>, E: EquationOfState<f64>, const D: usize>
 
     /// Steps of that length.
     fn advance(&mut self, steps: usize, dt: f64) {
-        let (mut gas, mut work): (Gas<'_, f64, D>, Workspace<'_, f64, D>) = self.arrays.parts();
+        let (mut gas, mut work): (Gas<'_, f64, D>, Workspace<'_, f64, Extras<f64, D>, D>) =
+            self.arrays.parts();
         for step in 0..steps {
             let advanced = self.solver.advance(&mut HalfLoop, &mut gas, &mut work, dt);
             assert_eq!(advanced, Ok(()), "step {step}");

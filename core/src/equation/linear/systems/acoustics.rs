@@ -1,7 +1,9 @@
 //! Acoustics.
 
-use super::super::system::{FirstOrderSystem, Nothing, Place, mirrored};
+use super::super::system::{FirstOrderSystem, mirrored};
 use super::Units;
+use crate::cloud::Place;
+use crate::pairs::Nothing;
 use crate::scalar::{Number, Scalar};
 
 /// `∂p/∂t + ρ c² div v = 0`, `∂v/∂t + ∇p/ρ = 0`: `u = (p, v)`, `P = D + 1`.

@@ -1,7 +1,9 @@
 //! Waves in an isotropic elastic solid, plane strain.
 
-use super::super::system::{FirstOrderSystem, Nothing, Place};
+use super::super::system::FirstOrderSystem;
 use super::Units;
+use crate::cloud::Place;
+use crate::pairs::Nothing;
 use crate::scalar::{Number, Scalar};
 
 /// `ρ ∂v/∂t = div s`, `∂s/∂t = λ (div v) I + μ (∇v + ∇vᵀ)`:

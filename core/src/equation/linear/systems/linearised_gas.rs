@@ -1,7 +1,9 @@
 //! Gas dynamics, linearised about a uniform flow.
 
-use super::super::system::{FirstOrderSystem, Nothing, Place, mirrored};
+use super::super::system::{FirstOrderSystem, mirrored};
 use super::Units;
+use crate::cloud::Place;
+use crate::pairs::Nothing;
 use crate::scalar::{Number, Scalar};
 
 /// `Dρ/Dt + ρ₀ div v = 0`, `Dv/Dt + ∇p/ρ₀ = 0`, `Dp/Dt + ρ₀ c² div v = 0`, `D/Dt = ∂/∂t + U·∇`:

@@ -1,6 +1,8 @@
 //! Any system with constant coefficients.
 
-use super::super::system::{FirstOrderSystem, Nothing, Place};
+use super::super::system::FirstOrderSystem;
+use crate::cloud::Place;
+use crate::pairs::Nothing;
 use crate::scalar::{Number, Scalar};
 
 /// `∂u/∂t + Σ_i A^i ∂_i u + A⁰ u = 0` with matrices as they come, rows first.

@@ -1,7 +1,9 @@
 //! Maxwell's equations in the plane, transverse electric.
 
-use super::super::system::{FirstOrderSystem, Nothing, Place};
+use super::super::system::FirstOrderSystem;
 use super::Units;
+use crate::cloud::Place;
+use crate::pairs::Nothing;
 use crate::scalar::{Number, Scalar};
 
 /// `ϵ ∂E/∂t = (∂_y H, -∂_x H)`, `μ ∂H/∂t = ∂_y E_x - ∂_x E_y`: `u = (E_x, E_y, H)`.

@@ -1,7 +1,9 @@
 //! Linear shallow water on a turning plane.
 
-use super::super::system::{FirstOrderSystem, Nothing, Place, mirrored};
+use super::super::system::{FirstOrderSystem, mirrored};
 use super::Units;
+use crate::cloud::Place;
+use crate::pairs::Nothing;
 use crate::scalar::{Number, Scalar};
 
 /// `∂η/∂t + H div v = 0`, `∂v/∂t + g ∇η + f ẑ×v = 0`: `u = (η, v_x, v_y)`, Coriolis in `A⁰`.

@@ -1,7 +1,9 @@
 //! The telegraph line.
 
-use super::super::system::{FirstOrderSystem, Nothing, Place, mirrored};
+use super::super::system::{FirstOrderSystem, mirrored};
 use super::Units;
+use crate::cloud::Place;
+use crate::pairs::Nothing;
 use crate::scalar::{Number, Scalar};
 
 /// `C ∂V/∂t + ∂I/∂x + G V = 0`, `L ∂I/∂t + ∂V/∂x + R I = 0`: `u = (V, I)`, losses in `A⁰`.

@@ -1,7 +1,9 @@
 //! Transport of a scalar.
 
-use super::super::field::VelocityField;
-use super::super::system::{FirstOrderSystem, Nothing, Place};
+use super::super::system::FirstOrderSystem;
+use crate::cloud::Place;
+use crate::cloud::VelocityField;
+use crate::pairs::Nothing;
 use crate::scalar::{Number, Scalar};
 
 /// `∂u/∂t + div(v u) + λ u = s`.

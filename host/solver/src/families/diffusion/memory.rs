@@ -12,8 +12,6 @@ use crate::families::strengths::CloudArrays;
 /// The state of a convection-diffusion problem and the workspace of its solver.
 pub(in crate::families) struct DiffusionArrays<S: Scalar, const D: usize, const P: usize> {
     pub cloud: CloudArrays<S, D, P>,
-    /// When the rates were made that the workspace holds.
-    time: S,
     nodes: Vec<DiffusionNode<S, D, P>>,
     sums: Vec<Settled<DiffusionNode<S, D, P>, DiffusionSums<S, P>>>,
     stages: Vec<[[S; P]; 3]>,
@@ -38,7 +36,6 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionArrays<S, D, P> {
         let both = if is_mixed { n } else { 0 };
         Self {
             cloud,
-            time: S::ZERO,
             nodes: vec![DiffusionNode::ZERO; n],
             sums: vec![Settled::new(DiffusionNode::ZERO, DiffusionSums::ZERO); n],
             stages: vec![[[S::ZERO; P]; 3]; n],
@@ -48,21 +45,17 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionArrays<S, D, P> {
         }
     }
 
-    /// Calls something with the state and the workspace, as the solver takes them.
-    pub fn with<R>(
-        &mut self,
-        call: impl FnOnce(&mut State<'_, S, D, P>, &mut DiffusionWorkspace<'_, S, D, P>) -> R,
-    ) -> R {
-        let grid = self.cloud.grid;
-        let (mut state, cells, registers) = self.cloud.parts();
-        let mut work = DiffusionWorkspace {
+    /// The state and the workspace, as the solver takes them.
+    pub fn parts(&mut self) -> (State<'_, S, D, P>, DiffusionWorkspace<'_, S, D, P>) {
+        let (state, cells, registers) = self.cloud.parts();
+        let work = DiffusionWorkspace {
             cells,
-            grid,
+            grid: &mut registers.grid,
             nodes: &mut self.nodes,
             sums: &mut self.sums,
             start: &mut registers.start,
             last: &mut registers.last,
-            time: self.time,
+            time: &mut registers.time,
             sum: &mut registers.sum,
             stages: &mut self.stages,
             fluxes: &mut self.fluxes,
@@ -71,8 +64,6 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionArrays<S, D, P> {
                 sums: &mut self.mixed_sums,
             },
         };
-        let result = call(&mut state, &mut work);
-        (self.cloud.grid, self.time) = (work.grid, work.time);
-        result
+        (state, work)
     }
 }

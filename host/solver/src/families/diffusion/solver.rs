@@ -113,11 +113,13 @@ impl<S: HostScalar, const D: usize, const P: usize> Solver<S, D, P> for Diffusio
     }
 
     fn prepare(&self, engine: &mut Threads, memory: &mut Self::Memory) -> Result<(), Error> {
-        memory.with(|state, work| self.dynamics().prepare(engine, state, work))
+        let (mut state, mut work) = memory.parts();
+        self.dynamics().prepare(engine, &mut state, &mut work)
     }
 
     fn stable_step(&self, memory: &mut Self::Memory, _: S) -> Option<S> {
-        let radius = memory.with(|state, work| self.dynamics().radius(state, work));
+        let (state, work) = memory.parts();
+        let radius = self.dynamics().radius(&state, &work);
         (radius > S::ZERO).then(|| self.reach(MOST_STAGES) / radius)
     }
 
@@ -127,7 +129,8 @@ impl<S: HostScalar, const D: usize, const P: usize> Solver<S, D, P> for Diffusio
             Stepping::RungeKutta(_) => 0,
         };
         let (dynamics, longest) = (self.dynamics(), Scalar::lesser(longest, self.longest));
-        let radius = memory.with(|state, work| dynamics.radius(state, work));
+        let (state, work) = memory.parts();
+        let radius = dynamics.radius(&state, &work);
         dynamics.time_step(radius, self.reach(stages), longest)
     }
 
@@ -138,7 +141,9 @@ impl<S: HostScalar, const D: usize, const P: usize> Solver<S, D, P> for Diffusio
         (time, dt): (S, S),
     ) -> Result<u32, Error> {
         let dynamics = self.dynamics();
-        memory.with(|state, work| match self.stepping {
+        let (mut state, mut work) = memory.parts();
+        let (state, work) = (&mut state, &mut work);
+        match self.stepping {
             Stepping::RungeKutta(method) => {
                 dynamics.advance(&method, engine, state, work, (time, dt))?;
                 Ok(method.sides())
@@ -150,7 +155,7 @@ impl<S: HostScalar, const D: usize, const P: usize> Solver<S, D, P> for Diffusio
                 dynamics.advance_split(method, engine, state, work, (time, dt))?;
                 Ok(method.stages())
             }
-        })
+        }
     }
 
     fn reconstruct(
@@ -160,10 +165,9 @@ impl<S: HostScalar, const D: usize, const P: usize> Solver<S, D, P> for Diffusio
         points: &[[S; D]],
         values: &mut [[S; P]],
     ) -> Result<(), Error> {
-        memory.with(|state, work| {
-            self.dynamics()
-                .reconstruct(state, work, time, (points, values))
-        })
+        let (state, mut work) = memory.parts();
+        let dynamics = self.dynamics();
+        dynamics.reconstruct(&state, &mut work, time, (points, values))
     }
 
     fn energy_density(&self, _: &Place<S, D>, u: &[S; P]) -> S {
@@ -215,32 +219,32 @@ impl<S: HostScalar, const D: usize, const P: usize> Solver<S, D, P> for Diffusio
         if dynamics.form == Form::Direct {
             return Ok(0.0);
         }
-        memory.with(|state, work| {
-            dynamics.rates(engine, state, work, time)?;
-            let mixed: Vec<[S; P]> = work.last.iter().map(|rates| rates.strength).collect();
-            let direct = DiffusionDynamics {
-                form: Form::Direct,
-                ..dynamics
-            };
-            direct.rates(engine, state, work, time)?;
-            let reacted = dynamics.problem.reaction_rate();
-            let fastest = (direct.radius(state, work) - reacted).to_f64();
-            let squared = dynamics.epsilon.to_f64() * dynamics.epsilon.to_f64();
-            let scale = squared * fastest;
-            let rows = mixed.iter().zip(work.last.iter());
-            let mut off = 0.0;
-            for ((mixed, direct), w) in rows.zip(state.weight.iter()) {
-                let w = w.to_f64();
-                for (mixed, direct) in mixed.iter().zip(&direct.strength) {
-                    let part = (direct.to_f64() - mixed.to_f64()) / (scale * w);
-                    off += w * part * part;
-                }
+        let (mut state, mut work) = memory.parts();
+        let (state, work) = (&mut state, &mut work);
+        dynamics.rates(engine, state, work, time)?;
+        let mixed: Vec<[S; P]> = work.last.iter().map(|rates| rates.strength).collect();
+        let direct = DiffusionDynamics {
+            form: Form::Direct,
+            ..dynamics
+        };
+        direct.rates(engine, state, work, time)?;
+        let reacted = dynamics.problem.reaction_rate();
+        let fastest = (direct.radius(state, work) - reacted).to_f64();
+        let squared = dynamics.epsilon.to_f64() * dynamics.epsilon.to_f64();
+        let scale = squared * fastest;
+        let rows = mixed.iter().zip(work.last.iter());
+        let mut off = 0.0;
+        for ((mixed, direct), w) in rows.zip(state.weight.iter()) {
+            let w = w.to_f64();
+            for (mixed, direct) in mixed.iter().zip(&direct.strength) {
+                let part = (direct.to_f64() - mixed.to_f64()) / (scale * w);
+                off += w * part * part;
             }
-            let varied = variation(state);
-            Ok(match off > 0.0 && varied > 0.0 {
-                true => (off / varied).sqrt(),
-                false => 0.0,
-            })
+        }
+        let varied = variation(state);
+        Ok(match off > 0.0 && varied > 0.0 {
+            true => (off / varied).sqrt(),
+            false => 0.0,
         })
     }
 }

@@ -1,10 +1,11 @@
 //! A gas in growing arrays: the same solver as on a device, in the memory of a server.
 
 use motes_core::equation::gas::density::{DensityNode, DensitySums};
-use motes_core::equation::gas::exchange::{ExchangeNode, ExchangeSums};
+use motes_core::equation::gas::exchange::Extras;
 use motes_core::equation::gas::gradient::{GradientNode, GradientSums};
 use motes_core::equation::gas::motion::{GasNode, GasSums};
-use motes_core::equation::gas::{Cloud, ExchangeWorkspace, Gas, Options, Particle, Workspace};
+use motes_core::equation::gas::{Cloud, Gas, GradientBuffers, Options, Particle, Workspace};
+use motes_core::equation::linear::Nothing;
 use motes_core::error::{Container, Error};
 use motes_core::neighbours::{CellBuffers, Site, cell_bound};
 use motes_core::pairs::{Fields, Settled};
@@ -13,7 +14,7 @@ use motes_core::scalar::Scalar;
 use crate::setup::LARGEST;
 
 /// The state of a gas and the workspace of its solver.
-pub struct GasArrays<S: Scalar, const D: usize> {
+pub struct GasArrays<S: Scalar, X: Fields<S>, const D: usize> {
     pub(super) position: Vec<[S; D]>,
     pub(super) velocity: Vec<[S; D]>,
     pub(super) energy: Vec<S>,
@@ -35,32 +36,23 @@ pub struct GasArrays<S: Scalar, const D: usize> {
     starts: Vec<u32>,
     density_nodes: Vec<DensityNode<S, D>>,
     densities: Vec<Settled<DensityNode<S, D>, DensitySums<S, D>>>,
-    gas_nodes: Vec<GasNode<S, D>>,
-    rates: Vec<Settled<GasNode<S, D>, GasSums<S, D>>>,
-    exchange: ExchangeArrays<S, D>,
-    needs: Needs,
-}
-
-/// Which workspaces the options ask for.
-#[derive(Clone, Copy)]
-struct Needs {
-    exchange: bool,
-    gradients: bool,
-}
-
-/// What the solver works in where its options ask for more than the paper's equations.
-struct ExchangeArrays<S: Scalar, const D: usize> {
+    nodes: Vec<GasNode<S, X, D>>,
+    rates: Vec<Settled<GasNode<S, X, D>, GasSums<S, D>>>,
     gradient_nodes: Vec<GradientNode<S, D>>,
     gradients: Vec<Settled<GradientNode<S, D>, GradientSums<S, D>>>,
-    nodes: Vec<ExchangeNode<S, D>>,
-    rates: Vec<Settled<ExchangeNode<S, D>, ExchangeSums<S, D>>>,
+    /// Whether the options ask for gradients.
+    graded: bool,
 }
 
-impl<S: Scalar, const D: usize> GasArrays<S, D> {
+/// The arrays of a gas that follows the paper's equations.
+pub type PlainArrays<S, const D: usize> = GasArrays<S, Nothing, D>;
+
+/// The arrays of a gas with [`Options`].
+pub type OptionsArrays<S, const D: usize> = GasArrays<S, Extras<S, D>, D>;
+
+impl<S: Scalar, X: Fields<S>, const D: usize> GasArrays<S, X, D> {
     /// Bytes that one particle takes, state, workspace and a typical neighbour list.
     pub fn bytes_per_particle(options: &Options<S, D>) -> usize {
-        let exchange = size_of::<ExchangeNode<S, D>>()
-            + size_of::<Settled<ExchangeNode<S, D>, ExchangeSums<S, D>>>();
         let gradients = size_of::<GradientNode<S, D>>()
             + size_of::<Settled<GradientNode<S, D>, GradientSums<S, D>>>();
         size_of::<[S; D]>() * 3
@@ -69,9 +61,8 @@ impl<S: Scalar, const D: usize> GasArrays<S, D> {
             + size_of::<u32>() * (6 + 16)
             + size_of::<DensityNode<S, D>>()
             + size_of::<Settled<DensityNode<S, D>, DensitySums<S, D>>>()
-            + size_of::<GasNode<S, D>>()
-            + size_of::<Settled<GasNode<S, D>, GasSums<S, D>>>()
-            + exchange * usize::from(options.need_exchange())
+            + size_of::<GasNode<S, X, D>>()
+            + size_of::<Settled<GasNode<S, X, D>, GasSums<S, D>>>()
             + gradients * usize::from(options.need_gradients())
     }
 
@@ -105,18 +96,11 @@ impl<S: Scalar, const D: usize> GasArrays<S, D> {
             starts: Vec::new(),
             density_nodes: Vec::new(),
             densities: Vec::new(),
-            gas_nodes: Vec::new(),
+            nodes: Vec::new(),
             rates: Vec::new(),
-            exchange: ExchangeArrays {
-                gradient_nodes: Vec::new(),
-                gradients: Vec::new(),
-                nodes: Vec::new(),
-                rates: Vec::new(),
-            },
-            needs: Needs {
-                exchange: options.need_exchange(),
-                gradients: options.need_gradients(),
-            },
+            gradient_nodes: Vec::new(),
+            gradients: Vec::new(),
+            graded: options.need_gradients(),
         };
         // What they come from is gone before the workspace is there.
         particles.for_each(|particle| arrays.put(&particle));
@@ -155,7 +139,6 @@ impl<S: Scalar, const D: usize> GasArrays<S, D> {
 
     /// Gives the workspace room for so many particles.
     fn make_room(&mut self, n: usize) {
-        let only_if = |needed: bool| if needed { n } else { 0 };
         self.sites.resize(n, Site::EMPTY);
         self.order.resize(n, 0);
         self.cell_of.resize(n, 0);
@@ -163,29 +146,23 @@ impl<S: Scalar, const D: usize> GasArrays<S, D> {
         self.density_nodes.resize(n, DensityNode::ZERO);
         let density = Settled::new(DensityNode::ZERO, DensitySums::ZERO);
         self.densities.resize(n, density);
-        let moved = only_if(!self.needs.exchange);
-        self.gas_nodes.resize(moved, GasNode::ZERO);
+        self.nodes.resize(n, GasNode::ZERO);
         let rate = Settled::new(GasNode::ZERO, GasSums::ZERO);
-        self.rates.resize(moved, rate);
-        let exchange = &mut self.exchange;
-        let graded = only_if(self.needs.gradients);
-        exchange.gradient_nodes.resize(graded, GradientNode::ZERO);
+        self.rates.resize(n, rate);
+        let graded = if self.graded { n } else { 0 };
+        self.gradient_nodes.resize(graded, GradientNode::ZERO);
         let gradient = Settled::new(GradientNode::ZERO, GradientSums::ZERO);
-        exchange.gradients.resize(graded, gradient);
-        let exchanged = only_if(self.needs.exchange);
-        exchange.nodes.resize(exchanged, ExchangeNode::ZERO);
-        let rate = Settled::new(ExchangeNode::ZERO, ExchangeSums::ZERO);
-        exchange.rates.resize(exchanged, rate);
+        self.gradients.resize(graded, gradient);
     }
 
     /// The state and the workspace, as the solver takes them.
-    pub fn parts(&mut self) -> (Gas<'_, S, D>, Workspace<'_, S, D>) {
+    pub fn parts(&mut self) -> (Gas<'_, S, D>, Workspace<'_, S, X, D>) {
         let gas = Gas {
             position: &mut self.position,
             velocity: &mut self.velocity,
             energy: &mut self.energy,
-            mass: &self.mass,
-            material: &self.material,
+            mass: &mut self.mass,
+            material: &mut self.material,
             epsilon: &mut self.epsilon,
             density: &mut self.density,
             force: &mut self.force,
@@ -206,20 +183,18 @@ impl<S: Scalar, const D: usize> GasArrays<S, D> {
             },
             density_nodes: &mut self.density_nodes,
             densities: &mut self.densities,
-            gas_nodes: &mut self.gas_nodes,
+            nodes: &mut self.nodes,
             rates: &mut self.rates,
-            exchange: ExchangeWorkspace {
-                gradient_nodes: &mut self.exchange.gradient_nodes,
-                gradients: &mut self.exchange.gradients,
-                nodes: &mut self.exchange.nodes,
-                rates: &mut self.exchange.rates,
+            gradients: GradientBuffers {
+                nodes: &mut self.gradient_nodes,
+                sums: &mut self.gradients,
             },
         };
         (gas, work)
     }
 }
 
-impl<S: Scalar, const D: usize> Cloud<S, D> for GasArrays<S, D> {
+impl<S: Scalar, X: Fields<S>, const D: usize> Cloud<S, D> for GasArrays<S, X, D> {
     fn gas(&mut self) -> Gas<'_, S, D> {
         self.parts().0
     }

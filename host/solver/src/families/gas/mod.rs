@@ -9,7 +9,7 @@ mod planning;
 mod simulation;
 
 pub use exact::{ExactError, ExactSolution, FIELDS};
-pub use memory::GasArrays;
+pub use memory::{GasArrays, OptionsArrays, PlainArrays};
 pub use opening::{Incoming, OpenSides, OpenZone};
 pub use plan::Plan;
 pub(super) use simulation::start;

@@ -55,9 +55,9 @@ struct Lonely {
 }
 
 /// A gas in the memory of a server.
-struct GasSimulation<S: Scalar, P, const D: usize> {
+struct GasSimulation<S: Scalar, P: Physics<S, D>, const D: usize> {
     setup: Setup<S, P, D>,
-    memory: GasArrays<S, D>,
+    memory: GasArrays<S, P::Shown, D>,
     clock: Clock<S>,
     lonely: Option<Lonely>,
     holder: Holder,
@@ -90,7 +90,7 @@ fn prepared<S: HostScalar, P: Physics<S, D> + Send + 'static, const D: usize>(
     engine: &mut Threads,
 ) -> Result<Box<dyn Simulation>, RunError> {
     let options = plan.options::<S, D>();
-    let bytes = GasArrays::<S, D>::bytes_per_particle(&options);
+    let bytes = GasArrays::<S, P::Shown, D>::bytes_per_particle(&options);
     check_memory(plan.particles.len(), bytes)?;
     check_format::<S>(&plan, scalar)?;
     let description = description(&plan);

@@ -32,24 +32,18 @@ impl<S: Scalar, M: Fields<S>, const D: usize, const P: usize> LinearArrays<S, M,
         }
     }
 
-    /// Calls something with the state and the workspace, as the solver takes them.
-    pub fn with<R>(
-        &mut self,
-        call: impl FnOnce(&mut State<'_, S, D, P>, &mut LinearWorkspace<'_, S, M, D, P>) -> R,
-    ) -> R {
-        let grid = self.cloud.grid;
-        let (mut state, cells, registers) = self.cloud.parts();
-        let mut work = LinearWorkspace {
+    /// The state and the workspace, as the solver takes them.
+    pub fn parts(&mut self) -> (State<'_, S, D, P>, LinearWorkspace<'_, S, M, D, P>) {
+        let (state, cells, registers) = self.cloud.parts();
+        let work = LinearWorkspace {
             cells,
-            grid,
+            grid: &mut registers.grid,
             nodes: &mut self.nodes,
             sums: &mut self.sums,
             start: &mut registers.start,
             last: &mut registers.last,
             sum: &mut registers.sum,
         };
-        let result = call(&mut state, &mut work);
-        self.cloud.grid = work.grid;
-        result
+        (state, work)
     }
 }

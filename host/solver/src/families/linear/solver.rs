@@ -54,17 +54,20 @@ where
     }
 
     fn prepare(&self, engine: &mut Threads, memory: &mut Self::Memory) -> Result<(), Error> {
-        memory.with(|state, work| self.dynamics.prepare(engine, state, work))
+        let (mut state, mut work) = memory.parts();
+        self.dynamics.prepare(engine, &mut state, &mut work)
     }
 
     fn stable_step(&self, memory: &mut Self::Memory, time: S) -> Option<S> {
         let stability = self.method.stability();
-        memory.with(|state, _| self.dynamics.stable_step(state, time, stability))
+        self.dynamics
+            .stable_step(&memory.parts().0, time, stability)
     }
 
     fn time_step(&self, memory: &mut Self::Memory, time: S, longest: S) -> Result<S, Error> {
         let stability = self.method.stability();
-        memory.with(|state, _| self.dynamics.time_step(state, time, stability, longest))
+        self.dynamics
+            .time_step(&memory.parts().0, time, stability, longest)
     }
 
     fn advance(
@@ -73,10 +76,9 @@ where
         memory: &mut Self::Memory,
         step: (S, S),
     ) -> Result<u32, Error> {
-        memory.with(|state, work| {
-            self.dynamics
-                .advance(&self.method, engine, state, work, step)
-        })?;
+        let (mut state, mut work) = memory.parts();
+        self.dynamics
+            .advance(&self.method, engine, &mut state, &mut work, step)?;
         Ok(self.method.sides())
     }
 
@@ -86,7 +88,9 @@ where
         memory: &mut Self::Memory,
         time: S,
     ) -> Result<(), Error> {
-        memory.with(|state, work| self.dynamics.count_neighbours(engine, state, work, time))
+        let (mut state, mut work) = memory.parts();
+        self.dynamics
+            .count_neighbours(engine, &mut state, &mut work, time)
     }
 
     fn reconstruct(
@@ -96,7 +100,8 @@ where
         points: &[[S; D]],
         values: &mut [[S; P]],
     ) -> Result<(), Error> {
-        memory.with(|state, work| self.dynamics.reconstruct(state, work, points, values))
+        let (state, mut work) = memory.parts();
+        self.dynamics.reconstruct(&state, &mut work, points, values)
     }
 
     fn energy_density(&self, place: &Place<S, D>, u: &[S; P]) -> S {

@@ -11,9 +11,6 @@ pub(in crate::families) struct CloudArrays<S: Scalar, const D: usize, const P: u
     pub value: Vec<[S; P]>,
     pub strength: Vec<[S::Wide; P]>,
     pub neighbours: Vec<S>,
-    /// How the cells lie, while the particles have not moved: a cloud that stands still is
-    /// sorted once.
-    pub grid: Option<Grid<S, D>>,
     sites: Vec<Site<S, D>>,
     order: Vec<u32>,
     cell_of: Vec<u32>,
@@ -26,6 +23,10 @@ pub(in crate::families) struct Registers<S: Scalar, const D: usize, const P: usi
     pub start: Vec<Start<S, D, P>>,
     pub last: Vec<Register<S, D, P>>,
     pub sum: Vec<Register<S, D, P>>,
+    /// The geometry of the cells, while the particles have not moved.
+    pub grid: Option<Grid<S, D>>,
+    /// The time of the rates that were made last.
+    pub time: S,
 }
 
 impl<S: Scalar, const D: usize, const P: usize> CloudArrays<S, D, P> {
@@ -63,7 +64,6 @@ impl<S: Scalar, const D: usize, const P: usize> CloudArrays<S, D, P> {
             value,
             strength: vec![nothing; n],
             neighbours: vec![S::ZERO; n],
-            grid: None,
             sites: vec![Site::EMPTY; n],
             order: vec![0; n],
             cell_of: vec![0; n],
@@ -72,6 +72,8 @@ impl<S: Scalar, const D: usize, const P: usize> CloudArrays<S, D, P> {
                 start: vec![start; n],
                 last: vec![Register::ZERO; n],
                 sum: vec![Register::ZERO; n],
+                grid: None,
+                time: S::ZERO,
             },
         }
     }

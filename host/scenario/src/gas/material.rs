@@ -1,8 +1,8 @@
 //! The substances of a scenario and their equations of state.
 
-use super::bound::{GAMMA, NOT_NEGATIVE, POSITIVE};
-use super::error::Fault;
-use super::section::Section;
+use crate::bound::{GAMMA, NOT_NEGATIVE, POSITIVE};
+use crate::error::Fault;
+use crate::section::Section;
 
 /// A substance.
 #[derive(Debug, Clone, PartialEq)]

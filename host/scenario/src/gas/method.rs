@@ -1,8 +1,8 @@
 //! What acts on the particles beside the pressure, and the steps of time.
 
-use super::bound::{COURANT, DAMPING, NOT_NEGATIVE, POSITIVE};
-use super::error::Fault;
-use super::section::Section;
+use crate::bound::{COURANT, DAMPING, NOT_NEGATIVE, POSITIVE};
+use crate::error::Fault;
+use crate::section::Section;
 
 /// What a particle's weight in the sums is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,5 +1,7 @@
-//! The state of a linear system: arrays side by side, in memory that belongs to the caller.
+//! The state of a cloud of strengths: arrays side by side, in memory that belongs to the caller.
 
+use super::column::{Columns, Unit, columns};
+use crate::digest::Digest;
 use crate::error::{Error, Quantity};
 use crate::scalar::Scalar;
 
@@ -43,6 +45,12 @@ pub struct State<'a, S: Scalar, const D: usize, const P: usize> {
 }
 
 impl<S: Scalar, const D: usize, const P: usize> State<'_, S, D, P> {
+    /// The digest of the state: position, weight and strength, each for all particles in id
+    /// order.
+    pub fn digest(&self) -> Digest {
+        Columns::digest(self)
+    }
+
     /// Number of particles.
     pub fn len(&self) -> usize {
         self.weight.len()
@@ -111,6 +119,16 @@ impl<S: Scalar, const D: usize, const P: usize> State<'_, S, D, P> {
             }
         }
         Ok(())
+    }
+}
+
+columns! {
+    impl [const D: usize, const P: usize] State<'_, S, D, P> {
+        position: vectors, Position, Directions, Unit::LENGTH, State;
+        weight: scalars, Scalar, One, Unit::VOLUME, State;
+        strength: strengths, Strength, Unknowns, Unit::UNKNOWN.times(Unit::VOLUME), State;
+        value: vectors, Scalar, Unknowns, Unit::UNKNOWN, Carried;
+        neighbours: scalars, Scalar, One, Unit::NONE, Derived;
     }
 }
 

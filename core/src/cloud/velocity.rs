@@ -3,7 +3,7 @@
 
 use crate::scalar::{Scalar, cosine_of_turns, sine_of_turns};
 
-use super::system::Place;
+use super::place::Place;
 
 /// A velocity field. Positions are the solver's: the middle of the domain is 0.
 pub trait VelocityField<S: Scalar, const D: usize>: Copy + Sync {

@@ -1,12 +1,56 @@
 //! The three registers of a Runge-Kutta step over a cloud of strengths.
 
+use super::state::State;
 use crate::domain::Domain;
-use crate::equation::linear::{Register, Start, State};
 use crate::error::Error;
 use crate::scalar::Scalar;
 
+/// Rates of a particle, or a sum of them: `dx/dt`, `dw/dt`, `ε dq/dt`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Register<S, const D: usize, const P: usize> {
+    /// Of the position: `a`.
+    pub position: [S; D],
+    /// Of the weight: `w div a`.
+    pub weight: S,
+    /// Of the strength, times ε.
+    pub strength: [S; P],
+}
+
+impl<S: Scalar, const D: usize, const P: usize> Register<S, D, P> {
+    /// No rates.
+    pub const ZERO: Self = Self {
+        position: [S::ZERO; D],
+        weight: S::ZERO,
+        strength: [S::ZERO; P],
+    };
+
+    /// Adds `n` times other rates, by repeated sums: exact in fixed point.
+    pub(crate) fn add(&mut self, n: u32, rates: &Self) {
+        for _ in 0..n {
+            for (sum, &rate) in self.position.iter_mut().zip(&rates.position) {
+                *sum += rate;
+            }
+            self.weight += rates.weight;
+            for (sum, &rate) in self.strength.iter_mut().zip(&rates.strength) {
+                *sum += rate;
+            }
+        }
+    }
+}
+
+/// What a particle was at the start of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Start<S: Scalar, const D: usize, const P: usize> {
+    /// Its position.
+    pub position: [S; D],
+    /// Its weight.
+    pub weight: S,
+    /// Its strength.
+    pub strength: [S::Wide; P],
+}
+
 /// Remembers a state as the start of a step.
-pub(super) fn remember<S: Scalar, const D: usize, const P: usize>(
+pub(crate) fn remember<S: Scalar, const D: usize, const P: usize>(
     state: &State<'_, S, D, P>,
     start: &mut [Start<S, D, P>],
 ) -> Result<(), Error> {
@@ -26,7 +70,7 @@ pub(super) fn remember<S: Scalar, const D: usize, const P: usize>(
 }
 
 /// Empties the sum of the rates of a step for so many particles.
-pub(super) fn clear<S: Scalar, const D: usize, const P: usize>(
+pub(crate) fn clear<S: Scalar, const D: usize, const P: usize>(
     particles: usize,
     sum: &mut [Register<S, D, P>],
 ) -> Result<(), Error> {
@@ -36,7 +80,7 @@ pub(super) fn clear<S: Scalar, const D: usize, const P: usize>(
 }
 
 /// Adds `n` times the last rates to the sum.
-pub(super) fn accumulate<S: Scalar, const D: usize, const P: usize>(
+pub(crate) fn accumulate<S: Scalar, const D: usize, const P: usize>(
     sum: &mut [Register<S, D, P>],
     last: &[Register<S, D, P>],
     n: u32,
@@ -48,7 +92,7 @@ pub(super) fn accumulate<S: Scalar, const D: usize, const P: usize>(
 
 /// Puts a state at the start of its step plus `dt` times some rates; those of strengths, which
 /// are carried times a power of ε, times `per_power` (rates times `1/ε` would lose digits).
-pub(super) fn put<S: Scalar, const D: usize, const P: usize>(
+pub(crate) fn put<S: Scalar, const D: usize, const P: usize>(
     state: &mut State<'_, S, D, P>,
     (start, rates): (&[Start<S, D, P>], &[Register<S, D, P>]),
     moved: Option<(&Domain<S, D>, S)>,

@@ -1,12 +1,14 @@
 //! The gas that comes in through a side of the domain.
 
-use super::bound::POSITIVE;
-use super::error::Fault;
-use super::geometry::AXES;
 use super::material::Material;
 use super::region::{material, pressure};
-use super::section::Section;
-use super::{Domain, Exact, Output, Side};
+use crate::bound::POSITIVE;
+use crate::error::Fault;
+use crate::geometry::AXES;
+use crate::section::Section;
+use crate::{Domain, Side};
+
+use super::{Exact, Output};
 
 /// What comes in through the inflow side.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,12 +1,13 @@
 //! The regions of uniform gas at t = 0, and the energy deposited in it.
 
-use super::bound::POSITIVE;
-use super::entry::{ANY, Entry};
-use super::error::Fault;
-use super::geometry;
 use super::material::{EquationOfState, Material};
-use super::section::Section;
-use super::{Ball, Extent};
+use crate::bound::POSITIVE;
+use crate::entry::{ANY, Entry};
+use crate::error::Fault;
+use crate::geometry::{self, AXES};
+use crate::problem::Problem;
+use crate::section::Section;
+use crate::{Ball, Extent};
 
 /// A box or a ball of uniform gas at t = 0.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,7 +47,7 @@ pub(super) fn regions(
         let section = entry.section()?;
         let region = region(&section, domain, materials)?;
         if region.ball.is_none() {
-            geometry::clear_of_overlap(&section, &region.extent, &regions)?;
+            clear_of_overlap(&section, &region.extent, &regions)?;
         }
         regions.push(region);
     }
@@ -148,4 +149,66 @@ pub(super) fn deposits(
         .iter()
         .map(deposit)
         .collect()
+}
+
+/// That `extent`, of the region `section`, shares no volume with the earlier `regions`.
+pub(super) fn clear_of_overlap(
+    section: &Section<'_>,
+    extent: &Extent,
+    regions: &[Region],
+) -> Result<(), Fault> {
+    for (first, other) in regions.iter().enumerate() {
+        if other.ball.is_some() {
+            continue;
+        }
+        let Some((axis, lower, upper)) = shared(extent, &other.extent) else {
+            continue;
+        };
+        let second = regions.len();
+        let problem = Problem::Overlap {
+            first,
+            second,
+            axis,
+            lower,
+            upper,
+        };
+        return Err(section.required("lower")?.fault(problem));
+    }
+    Ok(())
+}
+
+/// The direction in which two overlapping boxes share least, and what they share there.
+fn shared(a: &Extent, b: &Extent) -> Option<(char, f64, f64)> {
+    let lower = a.lower.iter().zip(&b.lower).map(|(a, b)| a.max(*b));
+    let upper = a.upper.iter().zip(&b.upper).map(|(a, b)| a.min(*b));
+    let shared: Vec<_> = AXES.into_iter().zip(lower).zip(upper).collect();
+    let overlaps = shared.iter().all(|((_, lower), upper)| lower < upper);
+    let thinnest = shared
+        .into_iter()
+        .map(|((axis, lower), upper)| (axis, lower, upper))
+        .min_by(|(_, l, u), (_, m, v)| (u - l).total_cmp(&(v - m)));
+    thinnest.filter(|_| overlaps)
+}
+
+/// The direction across which two boxes touch, or why they are no Riemann problem.
+pub(super) fn riemann_direction(regions: &[Region]) -> Result<usize, String> {
+    let [a, b] = regions else {
+        let count = regions.len();
+        return Err(format!("the number of regions is {count}"));
+    };
+    if a.ball.is_some() || b.ball.is_some() {
+        return Err("a region is a ball".to_owned());
+    }
+    let (a, b) = (&a.extent, &b.extent);
+    let touch = |&i: &usize| a.upper[i] == b.lower[i] || b.upper[i] == a.lower[i];
+    let direction = (0..a.lower.len()).find(touch);
+    let direction = direction.ok_or_else(|| "the two regions do not touch".to_owned())?;
+    let mut others = (0..a.lower.len()).filter(|&i| i != direction);
+    match others.find(|&i| [a.lower[i], a.upper[i]] != [b.lower[i], b.upper[i]]) {
+        Some(i) => Err(format!(
+            "the two regions span unequal stretches along {}",
+            AXES[i]
+        )),
+        None => Ok(direction),
+    }
 }

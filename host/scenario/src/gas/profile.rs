@@ -1,11 +1,11 @@
 //! Profiles: states at t = 0 that vary from place to place, by name.
 
-use super::Domain;
-use super::bound::{AMPLITUDE, POSITIVE};
-use super::entry::{ANY, Entry};
-use super::error::Fault;
 use super::material::{EquationOfState, Material};
-use super::section::Section;
+use crate::Domain;
+use crate::bound::{AMPLITUDE, POSITIVE};
+use crate::entry::{ANY, Entry};
+use crate::error::Fault;
+use crate::section::Section;
 
 /// A state at t = 0 that fills the domain; an ideal gas. Vortices and Noh's collapse are
 /// centred at the origin.

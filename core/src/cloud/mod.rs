@@ -1,0 +1,22 @@
+//! A cloud of particles, whatever the equation: what is known of it, field by field, and what the
+//! linear systems and convection-diffusion share: strengths that particles carry along a velocity
+//! field.
+
+mod column;
+mod place;
+mod registers;
+mod state;
+mod storage;
+mod velocity;
+
+pub(crate) use column::columns;
+pub use column::{Column, ColumnMut, Columns, Components, Field, Kind, Role, Unit};
+pub use place::Place;
+pub use registers::{Register, Start};
+pub(crate) use registers::{accumulate, clear, put, remember};
+pub use state::{Particle, State};
+pub use storage::Kept;
+pub(crate) use storage::{CloudParts, CloudStorage};
+pub use velocity::{
+    Compression, Named as NamedField, Rotation, Shear, Still, Uniform, VelocityField, Wave,
+};

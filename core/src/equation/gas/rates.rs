@@ -1,0 +1,201 @@
+//! Forces and powers of settled densities, by the law of [`super::motion`].
+
+use crate::cutoff::CutOff;
+use crate::domain::Beyond;
+use crate::error::Error;
+use crate::material::EquationOfState;
+use crate::neighbours::{Cells, Grid};
+use crate::pairs::Engine;
+use crate::scalar::Scalar;
+
+use super::density::DensityNode;
+use super::dynamics::{GasDynamics, Lowest};
+use super::motion::{GasNode, GasSums, Motion, NodeOf};
+use super::options::EnergyForm;
+use super::physics::{Physics, Sorted, Thermal};
+use super::state::{Gas, Row, Wave};
+use super::storage::{RatesOf, Workspace};
+use super::viscosity::{Local, Viscosity};
+
+impl<S, C, V, E, P, const D: usize> GasDynamics<'_, S, C, V, E, P, D>
+where
+    S: Scalar,
+    C: CutOff,
+    V: Viscosity<S>,
+    E: EquationOfState<S>,
+    P: Physics<S, D>,
+{
+    /// Densities and rates at the positions of `gas`, with velocities and energies predicted
+    /// over `dt` by the rates that `gas` holds. Closes the step: half a kick with the old
+    /// rates, half a kick with the new ones, which take their place.
+    pub(crate) fn rates(
+        &self,
+        engine: &mut impl Engine<S, D>,
+        gas: &mut Gas<'_, S, D>,
+        work: &mut Workspace<'_, S, P::Shown, D>,
+        dt: S,
+    ) -> Result<(), Error> {
+        let grid = self.densities(engine, gas, work, dt)?;
+        self.motion_rates(engine, gas, work, grid, dt)
+    }
+
+    /// Forces and powers of settled densities; closes the step.
+    fn motion_rates(
+        &self,
+        engine: &mut impl Engine<S, D>,
+        gas: &mut Gas<'_, S, D>,
+        work: &mut Workspace<'_, S, P::Shown, D>,
+        grid: Grid<S, D>,
+        dt: S,
+    ) -> Result<(), Error> {
+        let n = gas.len();
+        let cells = work.cells.cells(grid, n);
+        let densities = work.densities.get(..n).unwrap_or(&[]);
+        let (Some(nodes), Some(rates)) = (work.nodes.get_mut(..n), work.rates.get_mut(..n)) else {
+            return Err(Error::Lengths);
+        };
+        let sigma = S::from_f64(self.cut_off.normalisation::<D>());
+        for ((node, settled), &id) in nodes.iter_mut().zip(densities).zip(cells.order()) {
+            if let Some(row) = gas.row(id) {
+                *node = self.gas_node(&settled.node, &row, sigma, dt);
+            }
+        }
+        let mut cloud = Sorted {
+            engine,
+            gas,
+            cells,
+            dt,
+        };
+        P::refine(self, &mut cloud, nodes, &mut work.gradients)?;
+        let law = self.motion();
+        if self.viscosity.needs_divergence() {
+            // The sum of (3.12) holds div u; the pressures play no part in it.
+            cloud.engine.sweep(&law, &cells, nodes, rates)?;
+            self.add_pressures(nodes, rates, densities.iter().map(|settled| &settled.node));
+        }
+        cloud.engine.sweep(&law, &cells, nodes, rates)?;
+        let settled = densities.iter().map(|settled| &settled.node);
+        self.close_motion(cloud.gas, &cells, rates, settled, dt);
+        P::close_energy(self, &mut cloud, nodes, rates)?;
+        let mut problem = Lowest::default();
+        for &id in cells.order() {
+            if let Some(row) = cloud.gas.row(id) {
+                problem.add(id, self.problem(&row, id));
+            }
+        }
+        problem.result()
+    }
+
+    /// The law.
+    pub(super) fn motion(&self) -> Motion<C, V, P> {
+        Motion {
+            cut_off: self.cut_off,
+            viscosity: self.viscosity,
+            terms: self.physics,
+        }
+    }
+
+    /// What a particle shows in (3.10) and (3.12).
+    fn gas_node(
+        &self,
+        settled: &DensityNode<S, D>,
+        row: &Row<'_, S, D>,
+        sigma: S,
+        dt: S,
+    ) -> NodeOf<S, P, D> {
+        let (velocity, energy) = row.predicted(dt, self.physics.energy());
+        let (density, epsilon) = (*row.density, settled.epsilon);
+        let (pressure, sound_speed) = self.pressure(row.material, density, energy);
+        GasNode {
+            mass: row.mass,
+            measure: self.measure(row.mass),
+            pressure: pressure / (settled.omega * settled.density) / settled.density,
+            gradient: sigma / epsilon.powi(D + 2),
+            scale: self.cut_off.scale(S::ONE / epsilon),
+            sound_speed,
+            density,
+            epsilon,
+            velocity,
+            terms: self.physics.shown(&Thermal {
+                material: row.material,
+                density,
+                pressure,
+                energy,
+            }),
+        }
+    }
+
+    /// Adds the viscosity's pressure to that of each particle.
+    fn add_pressures<'s>(
+        &self,
+        nodes: &mut [NodeOf<S, P, D>],
+        rates: &RatesOf<S, P, D>,
+        densities: impl Iterator<Item = &'s DensityNode<S, D>>,
+    ) {
+        for ((node, rate), settled) in nodes.iter_mut().zip(rates).zip(densities) {
+            let weight = S::ONE / (settled.density * settled.omega);
+            let q = self.viscosity.pressure(&Local {
+                density: node.density,
+                sound_speed: node.sound_speed,
+                epsilon: node.epsilon,
+                divergence: -(rate.sums.compression * weight),
+            });
+            node.pressure += q * weight / settled.density;
+        }
+    }
+
+    /// Kicks velocities, and internal energies where they go by leap-frog.
+    fn close_motion<'s>(
+        &self,
+        gas: &mut Gas<'_, S, D>,
+        cells: &Cells<'_, S, D>,
+        rates: &RatesOf<S, P, D>,
+        densities: impl Iterator<Item = &'s DensityNode<S, D>>,
+        dt: S,
+    ) {
+        let has_gradients = self.physics.need_gradients();
+        for ((rate, settled), &id) in rates.iter().zip(densities).zip(cells.order()) {
+            let (node, sums) = (&rate.node, &rate.sums);
+            let Some(mut row) = gas.row(id) else { continue };
+            let divergence = -(sums.compression / (settled.density * settled.omega));
+            match self.domain.beyond(row.position) {
+                None => self.close_row(&mut row, node, sums, dt),
+                Some(Beyond::Inflow) => row.hold(),
+                Some(Beyond::Outflow(normal)) => {
+                    let wave = Wave {
+                        sound_speed: node.sound_speed,
+                        divergence,
+                        power: node.measure * (node.pressure * sums.compression),
+                    };
+                    row.leave(dt, normal, wave, self.physics.energy());
+                }
+            }
+            if !has_gradients {
+                *row.divergence = divergence;
+                *row.viscosity_factor = S::ONE;
+            }
+            *row.approach = sums.approach;
+            *row.signal = self.signal(&row, node.sound_speed, sums.approach);
+        }
+    }
+
+    /// Kicks a particle inside the domain.
+    #[inline(always)]
+    fn close_row(
+        &self,
+        row: &mut Row<'_, S, D>,
+        node: &NodeOf<S, P, D>,
+        sums: &GasSums<S, D>,
+        dt: S,
+    ) {
+        if self.physics.energy() == EnergyForm::Total {
+            // What is kinetic now is not after the kick; the sum is what goes on.
+            *row.energy += row.kinetic_energy();
+        }
+        row.kick(dt, self.with_external(node.mass, sums.force));
+        if self.physics.energy() == EnergyForm::LeapFrog {
+            let power = node.measure * (node.pressure * sums.compression) + sums.power;
+            row.heat(dt, power);
+        }
+    }
+}

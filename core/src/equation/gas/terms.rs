@@ -1,0 +1,85 @@
+//! What a gas may do beyond the paper's equations, as the sums over pairs see it.
+
+use crate::pairs::Fields;
+use crate::pairs::Nothing;
+use crate::scalar::{Number, Scalar};
+
+use super::motion::NodeOver;
+use super::options::Plain;
+use super::viscosity::{Pair, Viscosity};
+
+/// Two particles of gas as the terms of a pair see them.
+pub struct Between<N, const D: usize> {
+    /// `r = x_k - x_l`.
+    pub r: [N; D],
+    /// `|r|²`.
+    pub distance_squared: N,
+    /// `|r|`.
+    pub distance: N,
+    /// `|r|`, at least a distance below any that matters.
+    pub floored: N,
+    /// `(u_k - u_l)·r`.
+    pub approach: N,
+    /// The same over `floored`.
+    pub speed: N,
+}
+
+/// The terms of a pair beyond pressure: pseudo-viscosity at the least.
+///
+/// A term that is off must leave every sum as it is, to the last bit.
+pub trait Terms<S: Scalar, const D: usize>: Copy + Sync {
+    /// What they need to know of a particle; [`Nothing`] where the paper's equations suffice.
+    type Shown: Fields<S>;
+
+    /// Π of a pair, artificial and physical.
+    fn stress<N: Number<Scalar = S>, V: Viscosity<S>>(
+        &self,
+        viscosity: &V,
+        k: &NodeOver<N, S, Self, D>,
+        l: &NodeOver<N, S, Self, D>,
+        between: &Between<N, D>,
+    ) -> N;
+
+    /// The heat that `k` receives and `l` gives in a unit of time; `coupling` is `m_k m_l g`.
+    #[inline(always)]
+    fn heat<N: Number<Scalar = S>>(
+        &self,
+        k: &NodeOver<N, S, Self, D>,
+        l: &NodeOver<N, S, Self, D>,
+        between: &Between<N, D>,
+        coupling: N,
+    ) -> N {
+        let _ = (k, l, between, coupling);
+        N::zero()
+    }
+
+    /// What is shown behind a wall across direction `axis`.
+    fn reflected(shown: &Self::Shown, axis: usize) -> Self::Shown {
+        let _ = axis;
+        *shown
+    }
+}
+
+impl<S: Scalar, const D: usize> Terms<S, D> for Plain<S, D> {
+    type Shown = Nothing;
+
+    #[inline(always)]
+    fn stress<N: Number<Scalar = S>, V: Viscosity<S>>(
+        &self,
+        viscosity: &V,
+        k: &NodeOver<N, S, Self, D>,
+        l: &NodeOver<N, S, Self, D>,
+        between: &Between<N, D>,
+    ) -> N {
+        viscosity.pair(&Pair {
+            approach: between.approach,
+            distance_squared: between.distance_squared,
+            speed: between.speed,
+            sound_speeds: k.sound_speed + l.sound_speed,
+            densities: k.density + l.density,
+            epsilons: k.epsilon + l.epsilon,
+            linear: N::literal(1.0),
+            factor: N::literal(1.0),
+        })
+    }
+}

@@ -1,0 +1,171 @@
+//! Gases: regions or a profile at t = 0, and what acts on them.
+
+mod inflow;
+mod material;
+mod method;
+mod output;
+mod profile;
+mod region;
+mod resolution;
+
+use crate::domain::Domain;
+use crate::error::{Fault, ScenarioError};
+use crate::files::Files;
+use crate::heading::{self, Units};
+use crate::problem::Problem;
+use crate::section::Section;
+use crate::source::Source;
+use crate::tolerance::{self, Tolerance};
+use crate::{CutOff, check, cut_off};
+
+pub use inflow::Inflow;
+pub use material::{EquationOfState, Material};
+pub use method::{Diffusion, EnergyRule, Switch, Time, Viscosity, ViscosityKind, Weights};
+pub use output::{Exact, Output, Ring};
+pub use profile::Profile;
+pub use region::{Deposit, Region};
+pub use resolution::{Anchor, Arrangement, Resolution, Share};
+
+/// A gas to simulate. All numbers are in the scenario's own units.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Scenario {
+    /// Letters, digits, `-` and `_`: fit to name a file.
+    pub name: String,
+    /// One line for lists and headings; may be empty.
+    pub description: String,
+    /// 1, 2 or 3: the length of every `Vec` of numbers below.
+    pub dimension: usize,
+    /// Labels of the units.
+    pub units: Units,
+    /// The box that is simulated, and its sides.
+    pub domain: Domain,
+    /// The gas at t = 0, in the order of the file: no two boxes overlap, balls lie on top of
+    /// boxes and of earlier balls. Empty with a profile; may be empty with a file.
+    pub regions: Vec<Region>,
+    /// The gas at t = 0 where it varies from place to place: made of the first material.
+    pub profile: Option<Profile>,
+    /// The substances, at least one; regions name them by their place here.
+    pub materials: Vec<Material>,
+    /// What comes in through the inflow side; `None` without one.
+    pub inflow: Option<Inflow>,
+    /// Energy added at t = 0.
+    pub deposits: Vec<Deposit>,
+    /// How many particles, and how they are placed.
+    pub resolution: Resolution,
+    /// What a particle's weight in the sums is.
+    pub weights: Weights,
+    /// The function that smears a particle.
+    pub cut_off: CutOff,
+    /// The pseudo-viscosity.
+    pub viscosity: Viscosity,
+    /// Factor of the artificial conductivity, >= 0; 0 for none.
+    pub conduction: f64,
+    /// Physical diffusion.
+    pub diffusion: Diffusion,
+    /// Acceleration of everything.
+    pub acceleration: Vec<f64>,
+    /// How long, and in what steps.
+    pub time: Time,
+    /// What is written and measured.
+    pub output: Output,
+    /// The largest errors that a run may have; empty without `output.exact`.
+    pub tolerances: Vec<Tolerance>,
+    /// The TOML text after `--set`, comments included: reading it gives this scenario.
+    pub text: String,
+}
+
+/// What a scenario says of the state at t = 0.
+struct Gas {
+    regions: Vec<Region>,
+    profile: Option<Profile>,
+    deposits: Vec<Deposit>,
+    materials: Vec<Material>,
+}
+
+impl Scenario {
+    /// Reads a scenario that describes a gas; `overrides` are `section.key=value` as given to `--set`,
+    /// the later ones on top of the earlier.
+    ///
+    /// # Errors
+    /// Whatever keeps the text from being a scenario: the first fault found, with
+    /// its place and cure. A linear system is one.
+    pub fn read(source: Source, overrides: &[String]) -> Result<Self, ScenarioError> {
+        check::read(&source, overrides, check::gas)
+    }
+
+    /// The direction across which the two regions of a Riemann problem touch; none if it is
+    /// no Riemann problem.
+    pub fn riemann_direction(&self) -> Option<usize> {
+        region::riemann_direction(&self.regions).ok()
+    }
+}
+
+/// The scenario of a text.
+pub(super) fn scenario(
+    root: &Section<'_>,
+    files: Files<'_>,
+    text: &str,
+) -> Result<Scenario, Fault> {
+    let section = |key| root.required(key)?.section();
+    let heading = heading::heading(root)?;
+    let (dimension, domain) = (heading.dimension, heading.domain);
+    let gas = state(root, &domain)?;
+    let resolution = resolution::resolution(
+        &section("resolution")?,
+        files.folder(),
+        &domain,
+        gas.profile.as_ref(),
+    )?;
+    // A file of particles says itself how the gas is.
+    let described = !gas.regions.is_empty() || gas.profile.is_some();
+    if !described && !matches!(resolution.arrangement, Arrangement::File(_)) {
+        return Err(Fault::new(Problem::Gas { both: false }, root.span()));
+    }
+    let output = output::output(root, &domain.extent, &gas)?;
+    inflow::check_output(root, &domain, &output)?;
+    Ok(Scenario {
+        name: heading.name,
+        description: heading.description,
+        dimension,
+        units: heading.units,
+        inflow: inflow::inflow(root, &domain, &gas.materials)?,
+        domain,
+        regions: gas.regions,
+        profile: gas.profile,
+        materials: gas.materials,
+        deposits: gas.deposits,
+        resolution,
+        weights: method::weights(root)?,
+        cut_off: cut_off::of_gas(root, dimension)?,
+        viscosity: method::viscosity(root)?,
+        conduction: method::conduction(root)?,
+        diffusion: method::diffusion(root)?,
+        acceleration: method::acceleration(root, dimension)?,
+        time: method::time(&section("time")?)?,
+        tolerances: tolerance::of_gas(root, output.exact.is_some())?,
+        output,
+        text: text.to_owned(),
+    })
+}
+
+/// What there is at t = 0.
+fn state(root: &Section<'_>, domain: &Domain) -> Result<Gas, Fault> {
+    let materials = material::materials(root)?;
+    let (region, profile) = (root.optional("region"), root.optional("profile"));
+    if let (Some(_), Some(profile)) = (&region, &profile) {
+        return Err(profile.fault(Problem::Gas { both: true }));
+    }
+    Ok(Gas {
+        regions: match region {
+            Some(entry) => region::regions(&entry, &domain.extent, &materials)?,
+            None => Vec::new(),
+        },
+        profile: match profile {
+            Some(entry) => Some(profile::profile(&entry, domain, &materials)?),
+            None => None,
+        },
+        deposits: region::deposits(root, &domain.extent, &materials)?,
+        materials,
+    })
+}

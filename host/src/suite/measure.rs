@@ -218,7 +218,8 @@ impl Amplitudes {
     pub(super) fn add(&mut self, simulation: &dyn Simulation) {
         let time = simulation.time();
         let due = self.0.last().is_none_or(|last| time >= last.0 + 0.02);
-        if !due || time < LINEAR_PHASE[0] || time > LINEAR_PHASE[1] {
+        let [first, last] = LINEAR_PHASE;
+        if !due || !(first..=last).contains(&time) {
             return;
         }
         let rows = particles(simulation, "velocity_y");

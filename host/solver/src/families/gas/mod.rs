@@ -1,5 +1,6 @@
 //! Gas dynamics.
 
+mod description;
 mod exact;
 mod limits;
 mod memory;

@@ -1,6 +1,7 @@
 //! Clouds of strengths: what linear systems and convection-diffusion share. The plan, the memory
 //! and the simulation of both, over a [`Solver`] of either.
 
+mod description;
 mod doubts;
 mod field;
 mod geometry;

@@ -8,6 +8,7 @@ use motes_core::error::Error;
 use motes_core::integrator::Clock;
 use motes_core::scalar::Scalar;
 
+use super::description::description;
 use super::doubts::undamped;
 use super::growth::Monitor;
 use super::memory::CloudArrays;
@@ -15,8 +16,8 @@ use super::plan::Plan;
 use super::solver::Solver;
 use crate::engine::{Holder, HostScalar, Threads};
 use crate::run::{
-    Abscissa, Description, EnergyNorm, Kind, Measures, Outcome, Particulars, Row, RunError,
-    Simulation, Spread, Step, Sum, View, check_memory, check_step, fields,
+    Description, EnergyNorm, Measures, Outcome, Particulars, Row, RunError, Simulation, Spread,
+    Step, Sum, check_memory, check_step,
 };
 use crate::sums::compensated;
 
@@ -67,44 +68,6 @@ where
     };
     simulation.prepare(engine)?;
     Ok(Box::new(simulation))
-}
-
-/// What there is to see of a cloud.
-fn description(plan: &Plan) -> Description {
-    let (dimension, spacing) = (plan.dimension, plan.units.length);
-    let mut all = vec![("position", Kind::Vector), ("weight", Kind::Scalar)];
-    all.extend(plan.names.iter().map(|name| (name.as_str(), Kind::Scalar)));
-    all.push(("neighbours", Kind::Integer));
-    let last = all.len() - 1;
-    let mut diagnostics = ["energy_norm", "energy_bound"].map(String::from).to_vec();
-    diagnostics.extend(plan.names.iter().map(|name| format!("total_{name}")));
-    for quantity in plan.names.iter().map(String::as_str).chain(["neighbours"]) {
-        diagnostics.extend(["min", "mean", "max"].map(|part| format!("{quantity}_{part}")));
-    }
-    Description {
-        dimension,
-        particles: plan.weights.len(),
-        spacing,
-        duration: plan.duration,
-        fields: fields(dimension, &all),
-        compared: (2..last).collect(),
-        is_state: true,
-        snapshot: (1..=last).collect(),
-        diagnostics,
-        sums: plan.names.clone(),
-        leak: (!plan.is_conserving).then_some("losses, sources or walls change the sums"),
-        view: View {
-            abscissa: Abscissa::Along(0),
-            label: match dimension {
-                1 => "position",
-                _ => "x, along the line through the middle",
-            },
-            half_width: (dimension > 1).then_some(0.5 * spacing),
-            is_cut: false,
-            length: "",
-            spacing: Some(spacing),
-        },
-    }
 }
 
 impl<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usize> Strengths<S, V, D, P> {

@@ -11,7 +11,7 @@ use criterion::{BenchmarkId, Criterion, Throughput};
 use fixed::types::extra::U19;
 use motes::benchmark::{CASES, Case, jittered};
 use motes::engine::{GrowingList, HostScalar, InstructionSet, Threads};
-use motes::simulation::PlainArrays;
+use motes::families::gas::PlainArrays;
 use motes_core::cutoff::CubicSpline;
 use motes_core::domain::{Axis, Domain};
 use motes_core::equation::gas::density::{Density, DensityNode, DensitySums};

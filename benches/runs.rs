@@ -6,9 +6,9 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use motes::engine::{InstructionSet, Threads};
+use motes::families::Plan;
+use motes::run::{Control, ScalarName, complete, start_plan};
 use motes::scenario::{AnyScenario, Source};
-use motes::simulation::ScalarName;
-use motes::{linear, simulation};
 
 /// A run that is measured.
 struct Case {
@@ -65,37 +65,19 @@ const CASES: [Case; 6] = [
 fn seconds(case: &Case, engines: &mut [&mut Threads]) -> Vec<f64> {
     let changes: Vec<String> = case.changes.iter().map(|&set| set.to_owned()).collect();
     let source = Source::BuiltIn(case.scenario.to_owned());
-    let progress = &mut |_| true;
-    match AnyScenario::read(source, &changes).unwrap() {
-        AnyScenario::Gas(scenario) => {
-            let plan = simulation::Plan::new(&scenario).unwrap();
-            let mut control = simulation::Control {
-                samples: 1,
-                progress,
-                look: &mut |_| Ok(()),
-            };
-            let run = |engine: &mut &mut Threads| {
-                let started = Instant::now();
-                simulation::run(&plan, case.scalar, false, engine, &mut control).unwrap();
-                started.elapsed().as_secs_f64()
-            };
-            engines.iter_mut().map(run).collect()
-        }
-        AnyScenario::Linear(scenario) => {
-            let plan = linear::Plan::new(&scenario).unwrap();
-            let mut control = linear::Control {
-                samples: 1,
-                progress,
-                look: &mut |_| Ok(()),
-            };
-            let run = |engine: &mut &mut Threads| {
-                let started = Instant::now();
-                linear::run(&plan, case.scalar, false, engine, &mut control).unwrap();
-                started.elapsed().as_secs_f64()
-            };
-            engines.iter_mut().map(run).collect()
-        }
-    }
+    let plan = Plan::new(&AnyScenario::read(source, &changes).unwrap()).unwrap();
+    let mut control = Control {
+        samples: 1,
+        progress: &mut |_| true,
+        look: &mut |_| Ok(()),
+    };
+    let run = |engine: &mut &mut Threads| {
+        let started = Instant::now();
+        let mut simulation = start_plan(plan.clone(), (case.scalar, false), engine).unwrap();
+        complete(&mut *simulation, engine, &mut control).unwrap();
+        started.elapsed().as_secs_f64()
+    };
+    engines.iter_mut().map(run).collect()
 }
 
 /// Lanes over plain: the median of pairs of runs one after the other.

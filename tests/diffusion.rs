@@ -3,19 +3,32 @@
 
 mod systems;
 
-use motes::linear::{Experiment, LinearError, Outcome};
-use systems::{assert_same_bits, assert_tolerances, built_in, errors, experiment, run, scenario};
+use motes::experiment::Experiment;
+use motes::run::RunError;
+use systems::{
+    assert_same_bits, assert_tolerances, built_in, errors, experiment, run, scenario, stopped,
+};
 
 fn done(name: &str, changes: &[&str]) -> Experiment {
     experiment(scenario(name, changes), "f64", 2).unwrap()
 }
 
 /// The smallest and the largest value of a component at the end.
-fn range(outcome: &Outcome, component: usize) -> (f64, f64) {
-    let values = outcome.cloud.component(component);
-    let smallest = values.iter().copied().fold(f64::INFINITY, f64::min);
-    let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    (smallest, largest)
+fn range(experiment: &Experiment, component: &str) -> (f64, f64) {
+    let spread = experiment.simulation.spread(component).unwrap();
+    (spread.min, spread.max)
+}
+
+/// The name of a component.
+fn component(experiment: &Experiment, number: usize) -> String {
+    let mut fields = experiment.simulation.description().compared();
+    fields.nth(number).unwrap().name.clone()
+}
+
+/// The values of a one-dimensional run: places, and the first component.
+fn profile(experiment: &Experiment) -> (Vec<f64>, Vec<f64>) {
+    let column = |name: &str| experiment.simulation.column(name).unwrap();
+    (column("position"), column(&component(experiment, 0)))
 }
 
 #[test]
@@ -66,7 +79,9 @@ fn sums_are_conserved_to_rounding() {
         ("heat1d", "f32", 1e-6),
     ] {
         for form in ["system.form=direct", "system.form=mixed"] {
-            let drift = run(name, scalar, 2, &[form]).drift.unwrap()[0];
+            let outcome = run(name, scalar, 2, &[form]);
+            assert!(outcome.is_conserving, "{name}");
+            let drift = outcome.drift[0].1;
             assert!(drift.abs() < bound, "{name} {form} in {scalar}: {drift}");
         }
     }
@@ -74,7 +89,7 @@ fn sums_are_conserved_to_rounding() {
     for name in ["robin-wall", "decay-chain", "gray-scott"] {
         let short = format!("time.end={}", scenario(name, &[]).time.end / 100.0);
         let few = ["resolution.particles=400", &short];
-        assert_eq!(run(name, "f64", 1, &few).drift, None, "{name}");
+        assert!(!run(name, "f64", 1, &few).is_conserving, "{name}");
     }
 }
 
@@ -86,7 +101,9 @@ fn in_fixed_point_the_sums_of_runge_kutta_steps_are_exact() {
             for form in ["system.form=direct", "system.form=mixed"] {
                 let scenario = scenario("heat1d", &[method, form]);
                 let experiment = experiment(scenario, scalar, 2).unwrap();
-                assert_eq!(experiment.outcome.drift.unwrap(), [0.0], "{scalar}");
+                assert!(experiment.outcome.is_conserving);
+                let drift: Vec<f64> = experiment.outcome.drift.iter().map(|(_, x)| *x).collect();
+                assert_eq!(drift, [0.0], "{scalar}");
                 let error = experiment.errors.unwrap()["state"].l2;
                 assert!(error < 5e-3, "{scalar} {method} {form}: {error}");
             }
@@ -101,7 +118,7 @@ fn fronts_stay_sharp_and_smooth_at_every_peclet_number() {
     for diffusivity in ["1e-2", "1e-3", "1e-4", "1e-5", "1e-6", "0"] {
         let changed = format!("system.diffusivity={diffusivity}");
         let experiment = done("advection-dominated", &[&changed]);
-        let (smallest, largest) = range(&experiment.outcome, 0);
+        let (smallest, largest) = range(&experiment, &component(&experiment, 0));
         assert!(
             smallest >= -1e-12 && largest <= 1.0 + 1e-12,
             "b = {diffusivity}: {smallest} to {largest}"
@@ -116,14 +133,10 @@ fn fronts_stay_sharp_and_smooth_at_every_peclet_number() {
 /// two resistances in series, to two thousandths: the joint lies somewhere between two particles.
 #[test]
 fn the_flux_through_layers_is_continuous() {
-    let outcome = run("layered-wall", "f64", 2, &["time.end=20"]);
+    let (positions, values) = profile(&done("layered-wall", &["time.end=20"]));
     let at = |x: f64| {
-        let mut positions = outcome.cloud.positions.iter();
-        let near = positions.position(|p| p[0] > x).unwrap();
-        (
-            outcome.cloud.positions[near][0],
-            outcome.cloud.value(near)[0],
-        )
+        let near = positions.iter().position(|p| *p > x).unwrap();
+        (positions[near], values[near])
     };
     let flux = |lower: f64, upper: f64, b: f64| {
         let ((x, u), (y, v)) = (at(lower), at(upper));
@@ -143,16 +156,16 @@ fn the_flux_through_layers_is_continuous() {
 #[test]
 fn gray_scott_makes_a_pattern() {
     let few = ["resolution.particles=4096", "time.end=1000"];
-    let outcome = run("gray-scott", "f32", 2, &few);
-    for component in 0..2 {
-        let (smallest, largest) = range(&outcome, component);
+    let experiment = experiment(scenario("gray-scott", &few), "f32", 2).unwrap();
+    let names = [0, 1].map(|number| component(&experiment, number));
+    for name in &names {
+        let (smallest, largest) = range(&experiment, name);
         assert!(smallest > -1e-3 && largest < 1.001, "{smallest} {largest}");
     }
-    let covered = |sample: &motes::linear::Sample| sample.totals[1];
-    let (first, last) = (&outcome.series[0], outcome.series.last().unwrap());
-    let growth = covered(last) / covered(first);
+    let covered = experiment.outcome.series.of(&format!("total_{}", names[1]));
+    let growth = covered.last().unwrap() / covered[0];
     assert!(growth > 2.0, "v grew by {growth} only");
-    let (_, largest) = range(&outcome, 1);
+    let (_, largest) = range(&experiment, &names[1]);
     assert!(largest > 0.25, "no stripes: v <= {largest}");
 }
 
@@ -188,8 +201,8 @@ fn a_reaction_that_turns_is_made_or_refused() {
         let changes = [turn, "system.diffusivity=0.01", step];
         experiment(scenario("decay-chain", &changes), "f64", 1)
     };
-    let error = run("time.step=0.02").err().unwrap();
-    assert!(matches!(error, LinearError::Growth { .. }), "{error}");
+    let error = stopped(run("time.step=0.02"));
+    assert!(matches!(error, RunError::Growth { .. }), "{error}");
     let errors = run("time.step=0.001").unwrap().errors.unwrap();
     assert!(errors["state"].l2 < 5e-2, "{errors:?}");
 }
@@ -209,7 +222,7 @@ fn what_drives_a_wall_fits_the_format() {
 fn stages_follow_from_the_step() {
     let with = |step: &str| {
         let outcome = run("decay-chain", "f64", 1, &[step]);
-        (outcome.sides / outcome.steps, outcome)
+        (outcome.evaluations / outcome.steps, outcome)
     };
     let (few, fine) = with("time.step=0.01");
     let (many, coarse) = with("time.step=0.04");
@@ -217,13 +230,8 @@ fn stages_follow_from_the_step() {
     let ratio = (many * many) as f64 / (few * few) as f64;
     assert!((2.0..6.0).contains(&ratio), "{few} and {many} stages");
     assert!(coarse.steps < fine.steps);
-    let LinearError::Step { limit, .. } = experiment(
-        scenario("heat1d", &["time.method=rk4", "time.step=0.1"]),
-        "f64",
-        1,
-    )
-    .err()
-    .unwrap() else {
+    let long = scenario("heat1d", &["time.method=rk4", "time.step=0.1"]);
+    let RunError::Step { limit, .. } = stopped(experiment(long, "f64", 1)) else {
         panic!("a step of 0.1 is not stable");
     };
     let below = format!("time.step={}", 0.99 * limit);
@@ -237,7 +245,7 @@ fn the_stabilised_method_saves_nine_tenths_of_the_work() {
     let stiff = |changes: &[&str]| {
         let experiment = done("layered-wall", changes);
         let error = experiment.errors.unwrap()["state"].l2;
-        (experiment.outcome.sides, error)
+        (experiment.outcome.evaluations, error)
     };
     let (stabilised, error) = stiff(&["time.step=0.1"]);
     let (explicit, reference) = stiff(&["time.method=ssp-rk3", "time.courant=1"]);
@@ -256,16 +264,16 @@ fn the_stabilised_method_saves_nine_tenths_of_the_work() {
 #[test]
 fn a_wall_follows_a_measured_series() {
     let experiment = done("wall-day", &[]);
-    let exact = experiment.exact.unwrap();
-    let cloud = &experiment.outcome.cloud;
-    let worst = (0..cloud.len()).fold(0.0f64, |worst, id| {
-        let exact = exact.at(cloud.positions[id], experiment.outcome.time)[0];
-        worst.max((cloud.value(id)[0] - exact).abs())
+    let exact = experiment.exact.as_ref().unwrap();
+    let (positions, values) = profile(&experiment);
+    let rows = positions.iter().zip(&values);
+    let worst = rows.fold(0.0f64, |worst, (&x, value)| {
+        let exact = exact.at([x, 0.0, 0.0], experiment.outcome.time)[0];
+        worst.max((value - exact).abs())
     });
     assert!(worst < 0.05, "{worst} degrees");
     // The weather has come through: the wall is not what it was without.
-    let without = ["wall.0.rate=0"];
-    let calm = run("wall-day", "f64", 1, &without);
-    let moved = (calm.cloud.value(0)[0] - cloud.value(0)[0]).abs();
+    let (_, calm) = profile(&done("wall-day", &["wall.0.rate=0"]));
+    let moved = (calm[0] - values[0]).abs();
     assert!(moved > 1.0, "{moved}");
 }

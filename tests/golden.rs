@@ -11,10 +11,7 @@ mod runs;
 
 use std::fs::{read_to_string, write};
 
-use motes::engine::Threads;
-use motes::linear::{self, Control};
-use motes::scenario::AnyScenario;
-use motes::{comparison, export, simulation};
+use motes::export;
 
 const TABLE: &str = "tests/golden.csv";
 
@@ -40,25 +37,9 @@ const EXPORTS: [(&str, usize, &str); 4] = [
 /// The digest of a run on a server.
 fn digest(name: &str, particles: usize, scalar: &str) -> String {
     let change = format!("resolution.particles={particles}");
-    let scenario = match runs::any_scenario(name, &[&change]) {
-        AnyScenario::Gas(_) => {
-            return runs::run(name, scalar, 1, &[&change])
-                .outcome
-                .digest
-                .to_string();
-        }
-        AnyScenario::Linear(scenario) => scenario,
-    };
-    let mut control = Control {
-        samples: 10,
-        progress: &mut |_| true,
-        look: &mut |_| Ok(()),
-    };
-    let mut engine = Threads::new(2).unwrap();
-    let plan = linear::Plan::new(&scenario).unwrap();
-    let scalar = scalar.parse().unwrap();
-    let outcome = linear::run(&plan, scalar, false, &mut engine, &mut control).unwrap();
-    outcome.digest.to_string()
+    runs::outcome(name, scalar, 2, &[&change])
+        .digest
+        .to_string()
 }
 
 /// The table, made anew.
@@ -77,17 +58,7 @@ fn table() -> String {
 fn exported(name: &str, particles: usize) -> String {
     let command = format!("motes export {name} -n {particles}");
     let change = format!("resolution.particles={particles}");
-    match runs::any_scenario(name, &[&change]) {
-        AnyScenario::Gas(scenario) => {
-            let plan = simulation::Plan::new(&scenario).unwrap();
-            let exact = comparison::ExactSolution::of(&scenario).unwrap();
-            export::tube(&scenario, &plan, exact.as_ref(), &command).unwrap()
-        }
-        AnyScenario::Linear(scenario) => {
-            let plan = linear::Plan::new(&scenario).unwrap();
-            export::linear(name, &plan, &command).unwrap()
-        }
-    }
+    export::source(&runs::any_scenario(name, &[&change]), &command).unwrap()
 }
 
 #[test]

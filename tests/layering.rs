@@ -17,25 +17,23 @@ const CORE: [&str; 10] = [
 ];
 
 /// The layers of the generic part of the host, lowest first; all of them lie above the scenarios.
-const SOLVER: [&str; 11] = [
+const SOLVER: [&str; 10] = [
     "units",
     "sums",
     "symmetriser",
     "engine",
     "exact",
     "flows",
+    "run",
     "setup",
-    "simulation",
-    "comparison",
-    "linear",
+    "families",
     "compiled",
 ];
 
 /// The layers of the program, lowest first; all of them lie above the solver.
-const HOST: [&str; 13] = [
+const HOST: [&str; 12] = [
     "scalars",
-    "simulation",
-    "linear",
+    "run",
     "experiment",
     "study",
     "export",

@@ -1,12 +1,15 @@
 //! Inflow and outflow sides: what comes in is what was asked for, what goes out does not come
 //! back, and the bits are the same everywhere.
 
+mod runs;
+
 use fixed::types::extra::U19;
 use motes::engine::{HostScalar, Threads};
 use motes::experiment::Experiment;
+use motes::families::gas::GasArrays;
 use motes::report::summary::Summary;
-use motes::scenario::{Scenario, Source};
-use motes::simulation::{Control, GasArrays, Plan, ScalarName};
+use motes::run::{Control, ScalarName};
+use motes::scenario::{AnyScenario, Source};
 use motes_core::cutoff::{CutOff, Named as NamedCutOff};
 use motes_core::domain::{Axis, Beyond, Domain, Side};
 use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
@@ -19,6 +22,7 @@ use motes_core::material::IdealGas;
 use motes_core::neighbours::cell_bound;
 use motes_core::pairs::HalfLoop;
 use motes_core::scalar::{Q32, Scalar};
+use runs::particles;
 
 const GAMMA: f64 = 1.4;
 /// Internal energy of sound speed 1.
@@ -654,8 +658,7 @@ end = 0.6
 
 fn experiment(source: Source, set: &[&str], threads: usize) -> Experiment {
     let set: Vec<String> = set.iter().map(|set| (*set).to_owned()).collect();
-    let scenario = Scenario::read(source, &set).unwrap();
-    let plan = Plan::new(&scenario).unwrap();
+    let scenario = AnyScenario::read(source, &set).unwrap();
     let mut engine = Threads::new(threads).unwrap();
     let mut control = Control {
         samples: 10,
@@ -663,7 +666,7 @@ fn experiment(source: Source, set: &[&str], threads: usize) -> Experiment {
         look: &mut |_| Ok(()),
     };
     let scalar = (ScalarName::F64, false);
-    Experiment::run(scenario, &plan, None, scalar, &mut engine, &mut control).unwrap()
+    Experiment::run(scenario, scalar, &mut engine, &mut control).unwrap()
 }
 
 fn file(text: &str, set: &[&str]) -> Experiment {
@@ -678,16 +681,14 @@ fn file(text: &str, set: &[&str]) -> Experiment {
 /// `1 + v/s`.
 #[test]
 fn a_stream_into_gas_at_rest_has_the_rankine_hugoniot_density() {
-    let outcome = file(COLLISION, &[]).outcome;
+    let experiment = file(COLLISION, &[]);
+    let all = particles(&*experiment.simulation);
     let (v, c_squared) = (1.5f64, GAMMA);
     let root = ((GAMMA + 1.0).powi(2) / 16.0 * v * v + c_squared).sqrt();
     let s = (GAMMA - 3.0) / 4.0 * v + root;
     let expected = 1.0 + v / s;
     let mean = |from: f64, to: f64| {
-        let inside = outcome
-            .particles
-            .iter()
-            .filter(|p| (from..to).contains(&p.position[0]));
+        let inside = all.iter().filter(|p| (from..to).contains(&p.position[0]));
         let (mass, volume) = inside.fold((0.0, 0.0), |(mass, volume), p| {
             (mass + p.mass, volume + p.mass / p.density)
         });
@@ -708,26 +709,18 @@ fn a_stream_into_gas_at_rest_has_the_rankine_hugoniot_density() {
         );
     }
     // What came in: 3 x 0.6 of mass, by layers of 2/800.
-    let mass = outcome.series.last().unwrap().mass - outcome.series[0].mass;
+    let masses = experiment.outcome.series.of("mass");
+    let mass = masses.last().unwrap() - masses[0];
     assert!((mass - 1.8).abs() <= 1.0 * 2.0 / 800.0, "{mass} came in");
     // Not a particle of the zones is in the results.
-    let x = |p: &motes::simulation::ParticleRow| p.position[0];
-    assert!(
-        outcome
-            .particles
-            .iter()
-            .all(|p| (0.0..=2.0).contains(&x(p)))
-    );
+    assert!(all.iter().all(|p| (0.0..=2.0).contains(&p.position[0])));
 }
 
 /// The shock is out at t = 0.84, the contact at 1.33: between them the gas stays as it was.
 #[test]
 fn a_shock_leaves_through_the_outflow() {
-    let outcome = file(COLLISION, &["time.end=1.2"]).outcome;
-    let inside = outcome
-        .particles
-        .iter()
-        .filter(|p| (0.85..1.65).contains(&p.position[0]));
+    let all = particles(&*file(COLLISION, &["time.end=1.2"]).simulation);
+    let inside = all.iter().filter(|p| (0.85..1.65).contains(&p.position[0]));
     let (mass, volume) = inside.fold((0.0, 0.0), |(mass, volume), p| {
         (mass + p.mass, volume + p.mass / p.density)
     });
@@ -746,7 +739,7 @@ fn the_wind_tunnel_has_the_same_bits_on_any_number_of_threads() {
     let (one, three) = (run(1), run(3));
     assert_eq!(one.outcome.digest, three.outcome.digest);
     let summary = Summary::new(&one, "f64", 1);
-    assert_eq!((summary.drift, summary.warnings.len()), (None, 0));
+    assert_eq!((&summary.drift, summary.warnings.len()), (&None, 0));
     let json = serde_json::to_value(&summary).unwrap();
     assert!(json["drift"].is_null());
     assert!(summary.to_string().contains("gas flows through the sides"));
@@ -756,7 +749,7 @@ fn the_wind_tunnel_has_the_same_bits_on_any_number_of_threads() {
 fn a_scenario_may_have_one_open_side() {
     let closed = &[r#"domain.sides=[["inflow", "mirror"]]"#, "time.end=0.2"];
     let outcome = file(COLLISION, closed).outcome;
-    let mass = outcome.series.last().unwrap().mass;
+    let mass = *outcome.series.of("mass").last().unwrap();
     assert!((mass - 2.6).abs() <= 2.0 / 800.0, "{mass}");
 
     let out = COLLISION
@@ -767,6 +760,6 @@ fn a_scenario_may_have_one_open_side() {
         .replace("velocity = [0.0]", "velocity = [0.5]")
         .replace("\"inflow\", \"outflow\"", "\"mirror\", \"outflow\"");
     let outcome = file(&out, &["time.end=0.2"]).outcome;
-    let mass = outcome.series.last().unwrap().mass;
+    let mass = *outcome.series.of("mass").last().unwrap();
     assert!((mass - 1.9).abs() <= 2.0 / 800.0, "{mass}");
 }

@@ -11,7 +11,7 @@ use motes_core::error::Error;
 use motes_core::material::{IdealGas, Named as NamedMaterial};
 
 use crate::engine::{HostScalar, Threads, ThreadsError};
-use crate::simulation::GasArrays;
+use crate::families::gas::GasArrays;
 
 /// A box of `per_side^dimension` particles.
 #[derive(Clone, Copy, Debug)]

@@ -1,55 +1,106 @@
-//! A scenario run and measured: what `motes run` and `motes suite` have in common.
+//! A scenario run and measured: what `motes run`, `motes converge` and `motes suite` have in common.
 
 use std::collections::BTreeMap;
 
-use crate::comparison::{ExactSolution, Norms, norms};
 use crate::engine::Threads;
-use crate::scenario::Scenario;
-use crate::simulation::{self, Control, Outcome, Plan, RunError, ScalarName};
+use crate::exact::solution::Solution;
+use crate::families::{self, NoSolution, Plan, PlanError};
+use crate::run::{
+    Control, Norms, Outcome, RunError, ScalarName, Simulation, Window, complete, errors, start_plan,
+};
+use crate::scenario::AnyScenario;
 
 /// A scenario, what became of it, and how that compares.
 pub struct Experiment {
     /// What was run.
-    pub scenario: Scenario,
-    /// What came out.
+    pub scenario: AnyScenario,
+    /// What was solved, at its end.
+    pub simulation: Box<dyn Simulation>,
+    /// What the run came to.
     pub outcome: Outcome,
-    /// The exact solution, where the scenario names one.
-    pub exact: Option<ExactSolution>,
-    /// Errors by field, where there is one and particles to compare.
-    pub errors: Option<BTreeMap<&'static str, Norms>>,
-    /// Why the comparison may not mean what it says.
+    /// The exact solution, where the scenario asks for one.
+    pub exact: Option<Box<dyn Solution>>,
+    /// The reconstruction (1.13) at the particles, one after the other; empty where there is none.
+    pub reconstruction: Vec<f64>,
+    /// The reconstruction at the points of the probe; empty without one.
+    pub probe: Vec<f64>,
+    /// Errors by field, where there is a solution and particles to compare.
+    pub errors: Option<BTreeMap<String, Norms>>,
+    /// Why the results may not mean what they say.
     pub doubts: Vec<String>,
 }
 
+/// Why there is no experiment.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+pub enum ExperimentError {
+    /// It cannot be planned.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Plan(#[from] PlanError),
+    /// It has no exact solution after all.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Exact(#[from] NoSolution),
+    /// It did not run to its end.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Run(#[from] RunError),
+}
+
 impl Experiment {
-    /// Runs a planned scenario to its end and measures it.
+    /// Runs a scenario to its end and measures it; `checked` marks overflow in fixed point and
+    /// stops at the first.
+    ///
+    /// # Errors
+    /// What [`ExperimentError`] lists.
+    pub fn run(
+        scenario: AnyScenario,
+        how: (ScalarName, bool),
+        engine: &mut Threads,
+        control: &mut Control<'_>,
+    ) -> Result<Self, ExperimentError> {
+        let plan = Plan::new(&scenario)?;
+        let exact = families::solution(&scenario)?;
+        Ok(Self::of(scenario, (plan, exact), how, engine, control)?)
+    }
+
+    /// The same of what has been planned.
     ///
     /// # Errors
     /// What [`RunError`] lists.
-    pub fn run(
-        scenario: Scenario,
-        plan: &Plan,
-        exact: Option<ExactSolution>,
+    pub fn of(
+        scenario: AnyScenario,
+        (plan, exact): (Plan, Option<Box<dyn Solution>>),
         (scalar, checked): (ScalarName, bool),
         engine: &mut Threads,
         control: &mut Control<'_>,
     ) -> Result<Self, RunError> {
-        let outcome = simulation::run(plan, scalar, checked, engine, control)?;
+        let mut simulation = start_plan(plan, (scalar, checked), engine)?;
+        let outcome = complete(&mut *simulation, engine, control)?;
+        let reconstruction = simulation.reconstruct(None)?;
+        let probe = match scenario.probe() {
+            Some(probe) => simulation.reconstruct(Some(&probe.positions()))?,
+            None => Vec::new(),
+        };
+        let window = Window {
+            extent: scenario.window(),
+            ring: scenario.ring(),
+        };
         let errors = exact
             .as_ref()
-            .and_then(|exact| norms(exact, &outcome.particles, outcome.time, &scenario));
-        let mut doubts: Vec<String> = exact
-            .iter()
-            .filter_map(|exact| exact.doubt(&scenario))
-            .map(|why| format!("{why}: the exact solution may not hold there"))
-            .collect();
+            .and_then(|exact| errors(&*simulation, exact.as_ref(), window, &reconstruction));
+        let mut doubts = simulation.doubts(&outcome);
+        doubts.extend(exact.as_ref().and_then(|exact| exact.doubt()));
         if exact.is_some() && errors.is_none() {
             doubts.push("no particle is in output.window: there are no errors to tell".to_owned());
         }
         Ok(Self {
             scenario,
+            simulation,
             outcome,
             exact,
+            reconstruction,
+            probe,
             errors,
             doubts,
         })

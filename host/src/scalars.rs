@@ -15,9 +15,9 @@ macro_rules! scalars {
             pub const ALL: &'static [(Self, &'static str, &'static str)] =
                 &[$($(#[$only])? (Self::$variant, $name, $what),)*];
 
-            /// Its runs; with `checked` those that mark overflow, where its arithmetic has such,
-            /// and stop at the first.
-            pub(crate) fn runs(self, checked: bool) -> &'static Compiled {
+            /// Its simulations; with `checked` those that mark overflow, where its arithmetic has
+            /// such, and stop at the first.
+            pub(crate) fn compiled(self, checked: bool) -> &'static Compiled {
                 match (self, checked) {
                     $($(#[$only])? (Self::$variant, false) => &$runs,)*
                     $($(#[$only])? (Self::$variant, true) => &$checked,)*

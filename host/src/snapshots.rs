@@ -3,9 +3,8 @@
 use std::path::Path;
 
 use crate::io::{Cloud, SnapshotFormat, SnapshotSeries, WriteError};
-use crate::linear;
-use crate::scenario::{self, Interval, Snapshots};
-use crate::simulation::{Look, ParticleRow};
+use crate::run::{Kind, Simulation};
+use crate::scenario::{self, AnyScenario, Interval, Snapshots};
 
 /// Writes snapshots where a scenario asks for them.
 pub struct SnapshotWriter(Option<Writer>);
@@ -19,17 +18,13 @@ struct Writer {
 }
 
 impl SnapshotWriter {
-    /// A writer into a folder, of a run of that name until `end`; one that writes nothing where
-    /// no snapshots are asked for.
+    /// A writer into a folder, of a run of a scenario; one that writes nothing where it asks for
+    /// no snapshots.
     ///
     /// # Errors
     /// A folder that cannot be written to.
-    pub fn new(
-        snapshots: Option<Snapshots>,
-        (name, end): (&str, f64),
-        folder: &Path,
-    ) -> Result<Self, WriteError> {
-        let Some(Snapshots { interval, format }) = snapshots else {
+    pub fn new(scenario: &AnyScenario, folder: &Path) -> Result<Self, WriteError> {
+        let Some(Snapshots { interval, format }) = scenario.snapshots() else {
             return Ok(Self(None));
         };
         let format = match format {
@@ -37,36 +32,25 @@ impl SnapshotWriter {
             scenario::SnapshotFormat::Csv => SnapshotFormat::Csv,
         };
         Ok(Self(Some(Writer {
-            series: SnapshotSeries::new(folder, name, format)?,
+            series: SnapshotSeries::new(folder, scenario.name(), format)?,
             interval,
-            end,
+            end: scenario.end(),
             passed: -1.0,
         })))
     }
 
-    /// Writes a snapshot of a gas if one is due: at the start, after every interval, and at the
-    /// end.
+    /// Writes a snapshot if one is due: at the start, after every interval, and at the end.
     ///
     /// # Errors
-    /// A file that cannot be written.
-    pub fn look(&mut self, look: &Look<'_>) -> Result<(), String> {
-        let Some(writer) = self.due(look.time, look.steps) else {
+    /// A file that cannot be written, as text with its cure.
+    pub fn look(&mut self, simulation: &dyn Simulation) -> Result<(), String> {
+        let Some(writer) = self.due(simulation.time(), simulation.steps()) else {
             return Ok(());
         };
-        let rows = (look.particles)();
-        told(add_gas(&mut writer.series, &rows, look))
-    }
-
-    /// The same of a linear system whose components have these names.
-    ///
-    /// # Errors
-    /// A file that cannot be written.
-    pub fn look_linear(&mut self, look: &linear::Look<'_>, names: &[String]) -> Result<(), String> {
-        let Some(writer) = self.due(look.time, look.steps) else {
-            return Ok(());
-        };
-        let cloud = (look.cloud)();
-        told(add_linear(&mut writer.series, &cloud, names, look))
+        add(&mut writer.series, simulation).map_err(|error| {
+            let report = miette::Report::new(error);
+            format!("{report:?}")
+        })
     }
 
     /// The writer, if a snapshot is due.
@@ -86,75 +70,46 @@ impl SnapshotWriter {
     }
 }
 
-/// The error as text, with its cure.
-fn told(result: Result<(), WriteError>) -> Result<(), String> {
-    result.map_err(|error| {
-        let report = miette::Report::new(error);
-        format!("{report:?}")
-    })
-}
-
-/// Adds all fields of the particles of a gas.
-fn add_gas(
-    series: &mut SnapshotSeries,
-    rows: &[ParticleRow],
-    look: &Look<'_>,
-) -> Result<(), WriteError> {
-    let of = |field: fn(&ParticleRow) -> f64| rows.iter().map(field).collect::<Vec<f64>>();
-    let positions: Vec<[f64; 3]> = rows.iter().map(|row| row.position).collect();
-    let velocities: Vec<[f64; 3]> = rows.iter().map(|row| row.velocity).collect();
+/// Adds the fields that a simulation has for snapshots, and ids.
+fn add(series: &mut SnapshotSeries, simulation: &dyn Simulation) -> Result<(), WriteError> {
+    let description = simulation.description();
+    let of = |kind: Kind| {
+        let fields = description
+            .snapshot
+            .iter()
+            .map(|&place| &description.fields[place]);
+        fields
+            .filter(move |field| field.kind == kind)
+            .collect::<Vec<_>>()
+    };
+    let [scalar, vector, integer] = [Kind::Scalar, Kind::Vector, Kind::Integer].map(of);
+    let mut positions = Vec::new();
+    let mut scalars: Vec<_> = scalar.iter().map(|field| (&*field.name, vec![])).collect();
+    let mut vectors: Vec<_> = vector.iter().map(|field| (&*field.name, vec![])).collect();
+    let mut integers = vec![("id", vec![])];
+    integers.extend(integer.iter().map(|field| (&*field.name, vec![])));
+    simulation.each(|row| {
+        integers[0].1.push(positions.len() as u32);
+        positions.push(row.position);
+        for (field, (_, values)) in scalar.iter().zip(&mut scalars) {
+            values.push(row.values[field.first]);
+        }
+        for (field, (_, values)) in vector.iter().zip(&mut vectors) {
+            let vector = &row.values[field.places()];
+            values.push(std::array::from_fn(|i| {
+                vector.get(i).copied().unwrap_or(0.0)
+            }));
+        }
+        for (field, (_, values)) in integer.iter().zip(&mut integers[1..]) {
+            values.push(row.values[field.first] as u32);
+        }
+    });
     let cloud = Cloud {
         positions: &positions,
-        scalars: &[
-            ("mass", of(|p| p.mass)),
-            ("density", of(|p| p.density)),
-            ("pressure", of(|p| p.pressure)),
-            ("energy", of(|p| p.energy)),
-            ("sound_speed", of(|p| p.sound_speed)),
-            ("divergence", of(|p| p.divergence)),
-            ("viscosity_factor", of(|p| p.viscosity_factor)),
-            ("epsilon", of(|p| p.epsilon)),
-        ],
-        vectors: &[("velocity", velocities)],
-        integers: &[
-            ("id", (0..rows.len() as u32).collect()),
-            (
-                "neighbours",
-                rows.iter().map(|p| p.neighbours as u32).collect(),
-            ),
-            (
-                "material",
-                rows.iter().map(|p| u32::from(p.material)).collect(),
-            ),
-        ],
-        time: look.time,
-    };
-    series.add(&cloud, look.steps)
-}
-
-/// Adds weights and components of the particles of a linear system.
-fn add_linear(
-    series: &mut SnapshotSeries,
-    cloud: &linear::Cloud,
-    names: &[String],
-    look: &linear::Look<'_>,
-) -> Result<(), WriteError> {
-    let mut scalars = vec![("weight", cloud.weights.clone())];
-    for (component, name) in names.iter().enumerate() {
-        scalars.push((name, cloud.component(component)));
-    }
-    let cloud = Cloud {
-        positions: &cloud.positions,
         scalars: &scalars,
-        vectors: &[],
-        integers: &[
-            ("id", (0..cloud.len() as u32).collect()),
-            (
-                "neighbours",
-                cloud.neighbours.iter().map(|&n| n as u32).collect(),
-            ),
-        ],
-        time: look.time,
+        vectors: &vectors,
+        integers: &integers,
+        time: simulation.time(),
     };
-    series.add(&cloud, look.steps)
+    series.add(&cloud, simulation.steps())
 }

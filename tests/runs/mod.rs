@@ -3,16 +3,16 @@
 
 use std::collections::BTreeMap;
 
-use motes::comparison::{ExactSolution, Norms, norms};
 use motes::engine::Threads;
+use motes::experiment::{Experiment, ExperimentError};
+use motes::run::{Control, Norms, Outcome, RunError, Simulation};
 use motes::scenario::{AnyScenario, Scenario, Source};
-use motes::simulation::{self, Control, Outcome, Plan, RunError};
 
 /// What a test wants of a run.
-#[derive(Debug)]
 pub struct Run {
+    pub experiment: Experiment,
     pub outcome: Outcome,
-    pub errors: BTreeMap<&'static str, Norms>,
+    pub errors: BTreeMap<String, Norms>,
 }
 
 impl Run {
@@ -20,6 +20,42 @@ impl Run {
     pub fn l1(&self, field: &str) -> f64 {
         self.errors[field].l1
     }
+
+    /// What is told of it.
+    pub fn warnings(&self) -> Vec<String> {
+        self.experiment.simulation.warnings(&self.outcome)
+    }
+}
+
+/// A particle of a gas.
+#[derive(Clone, Copy, Debug)]
+pub struct Particle {
+    pub position: [f64; 3],
+    pub velocity_x: f64,
+    pub mass: f64,
+    pub density: f64,
+    pub material: u8,
+}
+
+/// The particles of a gas.
+pub fn particles(simulation: &dyn Simulation) -> Vec<Particle> {
+    let fields = ["mass", "density", "material"].map(|name| simulation.column(name).unwrap());
+    let velocity_x = match simulation.description().dimension {
+        1 => simulation.column("velocity").unwrap(),
+        _ => simulation.column("velocity_x").unwrap(),
+    };
+    let mut particles = Vec::new();
+    simulation.each(|row| {
+        let [mass, density, material] = fields.each_ref().map(|column| column[particles.len()]);
+        particles.push(Particle {
+            position: row.position,
+            velocity_x: velocity_x[particles.len()],
+            mass,
+            density,
+            material: material as u8,
+        });
+    });
+    particles
 }
 
 /// The gas scenario with these changes.
@@ -33,7 +69,7 @@ pub fn scenario(name: &str, changes: &[&str]) -> Scenario {
 /// The scenario of either family with these changes.
 pub fn any_scenario(name: &str, changes: &[&str]) -> AnyScenario {
     let changes: Vec<String> = changes.iter().map(|change| (*change).to_owned()).collect();
-    AnyScenario::read(Source::BuiltIn(name.to_owned()), &changes).unwrap()
+    AnyScenario::read(Source::from(name), &changes).unwrap()
 }
 
 /// Runs a built-in scenario with these changes, one scalar and a number of threads.
@@ -48,28 +84,41 @@ pub fn try_run(
     threads: usize,
     changes: &[&str],
 ) -> Result<Run, RunError> {
-    let scenario = scenario(name, changes);
-    let outcome = try_outcome(&scenario, scalar, threads)?;
-    let exact = ExactSolution::of(&scenario).unwrap().unwrap();
-    let errors = norms(&exact, &outcome.particles, outcome.time, &scenario).unwrap();
-    Ok(Run { outcome, errors })
+    let experiment = match try_experiment(any_scenario(name, changes), scalar, threads) {
+        Ok(experiment) => experiment,
+        Err(ExperimentError::Run(error)) => return Err(error),
+        Err(error) => panic!("{name}: {error}"),
+    };
+    Ok(Run {
+        outcome: experiment.outcome.clone(),
+        errors: experiment.errors.clone().unwrap(),
+        experiment,
+    })
 }
 
-/// What becomes of a built-in scenario with these changes.
-pub fn outcome(name: &str, scalar: &str, threads: usize, changes: &[&str]) -> Outcome {
-    try_outcome(&scenario(name, changes), scalar, threads)
-        .unwrap_or_else(|error| panic!("{name}: {error}"))
-}
-
-/// What becomes of a scenario.
-pub fn try_outcome(scenario: &Scenario, scalar: &str, threads: usize) -> Result<Outcome, RunError> {
-    let plan = Plan::new(scenario).unwrap();
+/// A scenario run and measured.
+pub fn try_experiment(
+    scenario: AnyScenario,
+    scalar: &str,
+    threads: usize,
+) -> Result<Experiment, ExperimentError> {
     let mut engine = Threads::new(threads).unwrap();
     let mut control = Control {
         samples: 10,
         progress: &mut |_| true,
         look: &mut |_| Ok(()),
     };
-    let scalar = scalar.parse().unwrap();
-    simulation::run(&plan, scalar, false, &mut engine, &mut control)
+    let how = (scalar.parse().unwrap(), false);
+    Experiment::run(scenario, how, &mut engine, &mut control)
+}
+
+/// The same, which must not stop.
+pub fn experiment(scenario: AnyScenario, scalar: &str, threads: usize) -> Experiment {
+    let name = scenario.name().to_owned();
+    try_experiment(scenario, scalar, threads).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+/// What becomes of a scenario with these changes.
+pub fn outcome(name: &str, scalar: &str, threads: usize, changes: &[&str]) -> Outcome {
+    experiment(any_scenario(name, changes), scalar, threads).outcome
 }

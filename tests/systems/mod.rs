@@ -1,22 +1,22 @@
 //! Linear systems and convection-diffusion run for tests, through the library.
 #![allow(dead_code, reason = "every test uses its part of this module")]
 
+#[path = "../runs/mod.rs"]
+mod runs;
+
 use std::collections::BTreeMap;
 
-use motes::comparison::Norms;
-use motes::engine::Threads;
-use motes::linear::{Control, Experiment, LinearError, Outcome};
-use motes::scenario::linear::{LinearScenario, Measured, System};
-use motes::scenario::{AnyScenario, BUILT_IN, Source};
+use motes::experiment::{Experiment, ExperimentError};
+use motes::run::{Norms, Outcome, RunError};
+use motes::scenario::linear::{LinearScenario, System};
+use motes::scenario::{AnyScenario, BUILT_IN};
 
 /// The scenario with these changes.
 pub fn scenario(name: &str, changes: &[&str]) -> LinearScenario {
-    let changes: Vec<String> = changes.iter().map(|change| (*change).to_owned()).collect();
-    let source = match name.ends_with(".toml") {
-        true => Source::from(name),
-        false => Source::BuiltIn(name.to_owned()),
-    };
-    LinearScenario::read(source, &changes).unwrap()
+    match runs::any_scenario(name, changes) {
+        AnyScenario::Linear(scenario) => *scenario,
+        AnyScenario::Gas(_) => panic!("{name} is a gas"),
+    }
 }
 
 /// A run of it.
@@ -24,15 +24,17 @@ pub fn experiment(
     scenario: LinearScenario,
     scalar: &str,
     threads: usize,
-) -> Result<Experiment, LinearError> {
-    let mut engine = Threads::new(threads).unwrap();
-    let mut control = Control {
-        samples: 10,
-        progress: &mut |_| true,
-        look: &mut |_| Ok(()),
-    };
-    let how = (scalar.parse().unwrap(), false);
-    Experiment::run(scenario, how, &mut engine, &mut control)
+) -> Result<Experiment, ExperimentError> {
+    runs::try_experiment(AnyScenario::Linear(Box::new(scenario)), scalar, threads)
+}
+
+/// Why a run stopped.
+pub fn stopped(result: Result<Experiment, ExperimentError>) -> RunError {
+    match result.err() {
+        Some(ExperimentError::Run(error)) => error,
+        Some(error) => panic!("it did not begin: {error}"),
+        None => panic!("it did not stop"),
+    }
 }
 
 pub fn run(name: &str, scalar: &str, threads: usize, changes: &[&str]) -> Outcome {
@@ -51,10 +53,8 @@ pub fn errors(name: &str, scalar: &str, changes: &[&str]) -> BTreeMap<String, No
 /// Every scenario of one of these systems that comes with the program: of convection-diffusion, or
 /// of the others.
 pub fn built_in(diffuses: bool) -> Vec<LinearScenario> {
-    let all = BUILT_IN.iter().map(|built_in| {
-        let source = Source::BuiltIn(built_in.name.to_owned());
-        AnyScenario::read(source, &[]).unwrap()
-    });
+    let all = BUILT_IN.iter();
+    let all = all.map(|built_in| runs::any_scenario(built_in.name, &[]));
     let linear = all.filter_map(|scenario| match scenario {
         AnyScenario::Linear(scenario) => Some(*scenario),
         AnyScenario::Gas(_) => None,
@@ -72,12 +72,8 @@ pub fn assert_tolerances(scenario: &LinearScenario) {
     for (scalar, room) in [("f64", 1.0), ("f32", 1.05)] {
         let experiment = experiment(scenario.clone(), scalar, 2).unwrap();
         let errors = experiment.errors.unwrap();
-        for tolerance in &scenario.tolerances {
-            let field = match tolerance.field {
-                Measured::State => "state",
-                Measured::Reconstruction => "reconstruction",
-                Measured::Component(i) => &experiment.plan.names[i],
-            };
+        for tolerance in experiment.scenario.tolerances() {
+            let field = &tolerance.field;
             let error = errors[field].of(tolerance.norm);
             let (name, bound) = (&scenario.name, room * tolerance.value);
             assert!(

@@ -2,9 +2,10 @@
 
 use crate::check;
 use crate::error::ScenarioError;
-use crate::linear::LinearScenario;
+use crate::linear::{LinearScenario, Measured, Probe, Series};
 use crate::source::Source;
-use crate::{Family, Scenario};
+use crate::tolerance::Tolerance;
+use crate::{Extent, Family, Ring, Scenario, Snapshots, Units};
 
 /// A scenario, whatever it describes.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,6 +64,110 @@ impl AnyScenario {
         match self {
             Self::Gas(scenario) => &scenario.text,
             Self::Linear(scenario) => &scenario.text,
+        }
+    }
+
+    /// Labels of the units.
+    pub fn units(&self) -> &Units {
+        match self {
+            Self::Gas(scenario) => &scenario.units,
+            Self::Linear(scenario) => &scenario.units,
+        }
+    }
+
+    /// Duration.
+    pub fn end(&self) -> f64 {
+        match self {
+            Self::Gas(scenario) => scenario.time.end,
+            Self::Linear(scenario) => scenario.time.end,
+        }
+    }
+
+    /// Number of particles; 0 where they come from a file.
+    pub fn particles(&self) -> usize {
+        match self {
+            Self::Gas(scenario) => scenario.resolution.particles,
+            Self::Linear(scenario) => scenario.resolution.particles,
+        }
+    }
+
+    /// Rows of the time series, at least 1.
+    pub fn samples(&self) -> usize {
+        match self {
+            Self::Gas(scenario) => scenario.output.samples,
+            Self::Linear(scenario) => scenario.output.samples,
+        }
+    }
+
+    /// States on the way, if any are written.
+    pub fn snapshots(&self) -> Option<Snapshots> {
+        match self {
+            Self::Gas(scenario) => scenario.output.snapshots,
+            Self::Linear(scenario) => scenario.output.snapshots,
+        }
+    }
+
+    /// Where errors are measured.
+    pub fn window(&self) -> &Extent {
+        match self {
+            Self::Gas(scenario) => &scenario.output.window,
+            Self::Linear(scenario) => &scenario.output.window,
+        }
+    }
+
+    /// Where in the window errors are measured, if not everywhere.
+    pub fn ring(&self) -> Option<&Ring> {
+        match self {
+            Self::Gas(scenario) => scenario.output.ring.as_ref(),
+            Self::Linear(_) => None,
+        }
+    }
+
+    /// Whether to compare with an exact solution.
+    pub fn has_exact(&self) -> bool {
+        match self {
+            Self::Gas(scenario) => scenario.output.exact.is_some(),
+            Self::Linear(scenario) => scenario.output.exact,
+        }
+    }
+
+    /// The largest errors that a run may have, by the names of the fields.
+    pub fn tolerances(&self) -> Vec<Tolerance<String>> {
+        fn named<F>(of: &[Tolerance<F>], name: impl Fn(&F) -> String) -> Vec<Tolerance<String>> {
+            let named = of.iter().map(|tolerance| Tolerance {
+                field: name(&tolerance.field),
+                norm: tolerance.norm,
+                value: tolerance.value,
+                reason: tolerance.reason.clone(),
+            });
+            named.collect()
+        }
+        match self {
+            Self::Gas(scenario) => named(&scenario.tolerances, |field| field.name().to_owned()),
+            Self::Linear(scenario) => {
+                let names = scenario.system.names(scenario.dimension);
+                named(&scenario.tolerances, |field| match *field {
+                    Measured::State => "state".to_owned(),
+                    Measured::Reconstruction => "reconstruction".to_owned(),
+                    Measured::Component(i) => names[i].clone(),
+                })
+            }
+        }
+    }
+
+    /// Places where the smoothed solution is written at the end.
+    pub fn probe(&self) -> Option<&Probe> {
+        match self {
+            Self::Gas(_) => None,
+            Self::Linear(scenario) => scenario.output.probe.as_ref(),
+        }
+    }
+
+    /// The series that drive walls, with the number of the component each is of.
+    pub fn driven(&self) -> Vec<(usize, &Series)> {
+        match self {
+            Self::Gas(_) => Vec::new(),
+            Self::Linear(scenario) => scenario.system.driven(),
         }
     }
 }

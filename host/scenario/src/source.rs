@@ -16,6 +16,8 @@ pub enum Source {
     BuiltIn(String),
     /// A TOML file.
     File(PathBuf),
+    /// TOML itself. Files that it names are looked for in the current folder.
+    Text(String),
 }
 
 impl From<&str> for Source {
@@ -36,6 +38,7 @@ impl fmt::Display for Source {
         match self {
             Self::BuiltIn(name) => write!(formatter, "{name} (built in)"),
             Self::File(path) => write!(formatter, "{}", path.display()),
+            Self::Text(_) => write!(formatter, "a text"),
         }
     }
 }
@@ -46,6 +49,7 @@ impl Source {
         match self {
             Self::BuiltIn(_) => Files::Shipped,
             Self::File(path) => Files::Folder(path.parent().unwrap_or(Path::new(""))),
+            Self::Text(_) => Files::Folder(Path::new("")),
         }
     }
 
@@ -60,6 +64,7 @@ impl Source {
                 .map(|scenario| scenario.text.to_owned())
                 .ok_or_else(|| unknown_built_in(name)),
             Self::File(path) => file_text(path),
+            Self::Text(text) => Ok(text.clone()),
         }
     }
 }

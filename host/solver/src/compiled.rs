@@ -1,43 +1,28 @@
-//! The runs of one scalar, as what a crate can hold compiled.
+//! The simulations of one scalar, as what a crate can hold compiled.
 
 use crate::engine::{HostScalar, Threads};
-use crate::linear::{self, LinearError};
-use crate::simulation::{self, RunError};
+use crate::families::{self, Plan};
+use crate::run::{RunError, Simulation};
 
-/// Runs a plan of gas dynamics; the text is the name of the scalar, for messages.
-pub type RunGas = fn(
-    &simulation::Plan,
-    &str,
-    &mut Threads,
-    &mut simulation::Control<'_>,
-) -> Result<simulation::Outcome, RunError>;
+/// What makes the simulations of one scalar: from a plan of any family and the name of the scalar,
+/// for messages.
+pub type Start = fn(Plan, &str, &mut Threads) -> Result<Box<dyn Simulation>, RunError>;
 
-/// Runs a plan of a linear system or of convection-diffusion.
-pub type RunLinear = fn(
-    &linear::Plan,
-    &str,
-    &mut Threads,
-    &mut linear::Control<'_>,
-) -> Result<linear::Outcome, LinearError>;
-
-/// The runs of one scalar.
+/// The simulations of one scalar.
 ///
 /// A `static` of this type is where the code for its scalar is made: minutes of work for the
 /// compiler, which several crates share.
 #[derive(Clone, Copy, Debug)]
 pub struct Compiled {
-    /// Gas dynamics.
-    pub gas: RunGas,
-    /// Linear systems and convection-diffusion.
-    pub linear: RunLinear,
+    /// A simulation at its start.
+    pub start: Start,
 }
 
 impl Compiled {
     /// All of them.
     pub const fn new<S: HostScalar>() -> Self {
         Self {
-            gas: simulation::in_dimensions::<S>,
-            linear: linear::in_dimensions::<S>,
+            start: families::start::<S>,
         }
     }
 }

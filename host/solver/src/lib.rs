@@ -3,14 +3,13 @@
 //! All of it is generic over the scalar, and none of it is compiled for one: `motes-f64`,
 //! `motes-f32`, `motes-fixed` and `motes-checked` do that, side by side, each through [`compiled`].
 
-pub mod comparison;
 pub mod compiled;
 pub mod engine;
 pub mod exact;
+pub mod families;
 pub mod flows;
-pub mod linear;
+pub mod run;
 pub mod setup;
-pub mod simulation;
 pub mod sums;
 pub mod symmetriser;
 pub mod units;

@@ -1,22 +1,39 @@
 //! Sums without the rounding of their length.
 
-/// The sum of these values to about the last place of the result, however many they are
-/// (Neumaier, Z. Angew. Math. Mech. 54, 39, 1974).
+/// A sum to about the last place of the result, however many terms there are (Neumaier, Z. Angew.
+/// Math. Mech. 54, 39, 1974).
 ///
 /// Of what is conserved to round-off only the drift is to be seen, and a mean mass is the mass
 /// where all are equal.
-pub fn compensated(values: impl Iterator<Item = f64>) -> f64 {
-    let (mut sum, mut lost) = (0.0f64, 0.0);
-    for value in values {
-        let next = sum + value;
-        lost += if sum.abs() >= value.abs() {
-            (sum - next) + value
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Compensated {
+    sum: f64,
+    lost: f64,
+}
+
+impl Compensated {
+    /// Adds a term.
+    pub fn add(&mut self, value: f64) {
+        let next = self.sum + value;
+        self.lost += if self.sum.abs() >= value.abs() {
+            (self.sum - next) + value
         } else {
-            (value - next) + sum
+            (value - next) + self.sum
         };
-        sum = next;
+        self.sum = next;
     }
-    sum + lost
+
+    /// The sum.
+    pub fn value(&self) -> f64 {
+        self.sum + self.lost
+    }
+}
+
+/// The [`Compensated`] sum of these values.
+pub fn compensated(values: impl Iterator<Item = f64>) -> f64 {
+    let mut sum = Compensated::default();
+    values.for_each(|value| sum.add(value));
+    sum.value()
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use motes_core::equation::gas::viscosity::{
 };
 use motes_core::equation::gas::{Diffusion, EnergyForm, Gas, Options, Plain, Switch, Width};
 use motes_solver::engine::Threads;
-use motes_solver::simulation::OptionsArrays;
+use motes_solver::families::gas::OptionsArrays;
 
 const ADAPTIVE: Width<f64> = Width::Adaptive { eta: 1.2 };
 

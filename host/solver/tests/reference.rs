@@ -20,7 +20,7 @@ use motes_core::equation::gas::viscosity::{Pairwise, VonNeumann};
 use motes_core::equation::gas::{Gas, Options, Particle, Weights, Width};
 use motes_core::pairs::{HalfLoop, PlainLoop};
 use motes_core::scalar::{Micro, Q32, Q64, Scalar};
-use motes_solver::simulation::PlainArrays;
+use motes_solver::families::gas::PlainArrays;
 
 /// Every cut-off, with η on a line, in a plane and in space: wide enough for some neighbours,
 /// narrow enough for three reaches in a small period.

@@ -17,7 +17,7 @@ use motes_core::neighbours::cell_bound;
 use motes_core::pairs::{Engine, HalfLoop};
 use motes_core::scalar::Scalar;
 use motes_solver::engine::Threads;
-use motes_solver::simulation::GasArrays;
+use motes_solver::families::gas::GasArrays;
 
 const N: usize = 64;
 const CELLS: usize = cell_bound(N as u32) as usize + 1;

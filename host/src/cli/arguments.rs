@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 use super::Failure;
+use crate::run::{ScalarName, UnknownScalar};
 use crate::scenario::{AnyScenario, Source};
-use crate::simulation::{ScalarName, UnknownScalar};
 use crate::study::ErrorNorm;
 
 /// A deterministic particle solver for first-order systems of partial differential equations.

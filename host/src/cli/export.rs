@@ -2,9 +2,7 @@
 
 use super::Failure;
 use super::arguments::{ExportArguments, any_scenario};
-use crate::comparison::ExactSolution;
-use crate::scenario::{AnyScenario, Scenario};
-use crate::{export, linear, simulation};
+use crate::export;
 
 /// Prints the scenario as Rust source.
 pub(super) fn export(arguments: &ExportArguments) -> Result<(), Failure> {
@@ -20,17 +18,6 @@ pub(super) fn export(arguments: &ExportArguments) -> Result<(), Failure> {
     for change in &arguments.overrides {
         command += &format!(" --set '{change}'");
     }
-    let text = match &scenario {
-        AnyScenario::Gas(scenario) => gas(scenario, &command),
-        AnyScenario::Linear(scenario) => linear::Plan::new(scenario)
-            .map_err(miette::Report::from)
-            .and_then(|plan| Ok(export::linear(&scenario.name, &plan, &command)?)),
-    };
-    super::print(&text.map_err(Failure::Input)?)
-}
-
-fn gas(scenario: &Scenario, command: &str) -> miette::Result<String> {
-    let plan = simulation::Plan::new(scenario)?;
-    let exact = ExactSolution::of(scenario)?;
-    Ok(export::tube(scenario, &plan, exact.as_ref(), command)?)
+    let text = export::source(&scenario, &command).map_err(Failure::input)?;
+    super::print(&text)
 }

@@ -4,8 +4,10 @@ mod arguments;
 mod bench;
 mod converge;
 mod export;
+mod progress;
 mod run;
 mod suite;
+mod watch;
 
 use std::io::Write;
 use std::process::ExitCode;
@@ -24,6 +26,13 @@ enum Failure {
     Run(miette::Report),
     /// Ctrl-C: exit code 130, as a shell expects of a program that stopped at an interrupt.
     Interrupted(miette::Report),
+}
+
+impl Failure {
+    /// Input that cannot be used.
+    fn input(error: impl Into<miette::Report>) -> Self {
+        Self::Input(error.into())
+    }
 }
 
 /// Runs the program with the arguments of the process.

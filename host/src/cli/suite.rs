@@ -1,20 +1,18 @@
 //! `motes suite`.
 
-use std::io::IsTerminal;
 use std::path::Path;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
-use indicatif::{ProgressBar, ProgressStyle};
 use miette::IntoDiagnostic;
 
 use super::Failure;
 use super::arguments::{SUITE_FOLDER, SUITE_SCALARS, SuiteArguments, scalar};
+use super::watch::{Interrupt, progress_bar};
 use crate::engine::Threads;
+use crate::experiment::ExperimentError;
 use crate::io;
-use crate::report::results::pictures;
+use crate::report::pictures::pictures;
 use crate::report::suite::{Check, SuiteRow, failures, html, markdown};
-use crate::simulation::{RunError, ScalarName};
+use crate::run::{RunError, ScalarName};
 use crate::suite::{CASES, Case, Measured, SuiteError};
 
 /// Runs the suite and writes its report; fails where a bound is missed.
@@ -35,11 +33,12 @@ pub(super) fn suite(arguments: &SuiteArguments) -> Result<(), Failure> {
         .flat_map(|case| scalars.iter().map(move |scalar| (*case, *scalar)))
         .filter(|(case, scalar)| case.takes(scalar.name()))
         .collect();
-    let interrupted = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&interrupted);
-    // Without the handler Ctrl-C still ends the program, only less politely.
-    let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
-    let bar = progress_bar(arguments.json, runs.len());
+    let interrupt = Interrupt::listen();
+    let bar = progress_bar(
+        arguments.json,
+        1000 * runs.len() as u64,
+        "{wide_bar} {percent}% {msg}",
+    );
     let mut rows = Vec::new();
     for (case, scalar) in runs {
         bar.set_message(format!("{} in {}", case.name(), scalar.name()));
@@ -47,7 +46,7 @@ pub(super) fn suite(arguments: &SuiteArguments) -> Result<(), Failure> {
         let mut measure = |scalar: ScalarName| {
             case.measure(scalar, &mut engine, &mut |done| {
                 bar.set_position(before + (1000.0 * done) as u64);
-                !interrupted.load(Ordering::Relaxed)
+                interrupt.goes_on()
             })
         };
         if let Some(reason) = case.unfit(scalar.name()) {
@@ -55,11 +54,15 @@ pub(super) fn suite(arguments: &SuiteArguments) -> Result<(), Failure> {
         } else {
             match measure(scalar) {
                 Ok(measured) => rows.push(with_picture(case, scalar, measured, &images)?),
-                Err(SuiteError::Run(error @ RunError::Interrupted { .. })) => {
+                Err(SuiteError::Experiment(ExperimentError::Run(
+                    error @ RunError::Interrupted { .. },
+                ))) => {
                     return Err(Failure::Interrupted(error.into()));
                 }
                 // What 32 bits cannot hold, 64 may.
-                Err(SuiteError::Run(error)) if scalar.name().starts_with('q') => {
+                Err(SuiteError::Experiment(ExperimentError::Run(error)))
+                    if scalar.name().starts_with('q') =>
+                {
                     rows.push(stopped(case, scalar, &error.to_string(), false));
                     let wide = super::arguments::scalar("q31.32")?;
                     match measure(wide) {
@@ -67,7 +70,7 @@ pub(super) fn suite(arguments: &SuiteArguments) -> Result<(), Failure> {
                         Err(error) => rows.push(stopped(case, wide, &error.to_string(), true)),
                     }
                 }
-                Err(SuiteError::Run(error)) => {
+                Err(SuiteError::Experiment(ExperimentError::Run(error))) => {
                     rows.push(stopped(case, scalar, &error.to_string(), true));
                 }
                 Err(error) => return Err(Failure::Run(error.into())),
@@ -192,13 +195,4 @@ fn report(arguments: &SuiteArguments, rows: &[SuiteRow]) -> Result<(), Failure> 
             "{missed} bound(s) missed"
         ))),
     }
-}
-
-fn progress_bar(hidden: bool, runs: usize) -> ProgressBar {
-    if hidden || !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{wide_bar} {percent}% {msg}");
-    let bar = ProgressBar::new(1000 * runs as u64);
-    bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }

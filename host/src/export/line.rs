@@ -6,7 +6,7 @@ use motes_core::equation::linear::NamedField;
 use motes_core::equation::linear::systems::Units;
 
 use super::one_line;
-use crate::linear::Plan;
+use crate::families::strengths::Plan;
 use crate::scenario::linear::System;
 
 /// A linear scenario that a device cannot be given as a line.

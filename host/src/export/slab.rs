@@ -11,7 +11,7 @@ use motes_core::neighbours::{Grid, cell_bound};
 
 use super::line::{Constructor, motion};
 use super::one_line;
-use crate::linear::Plan;
+use crate::families::strengths::Plan;
 use crate::scenario::linear::{ConvectionDiffusion, Form, Mean as MeanName, Method};
 
 /// A scenario of convection-diffusion that a device cannot be given as a slab.

@@ -6,9 +6,8 @@ use std::fmt::Write;
 use motes_core::equation::gas::Width;
 
 use super::one_line;
-use crate::comparison::ExactSolution;
+use crate::families::gas::{ExactSolution, Plan};
 use crate::scenario::{Extent, Scenario, Viscosity, ViscosityKind};
-use crate::simulation::Plan;
 
 /// A scenario that a device cannot be given as a tube.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
@@ -33,7 +32,7 @@ const POINTS: u32 = 60;
 ///
 /// # Errors
 /// A scenario that is no tube: see [`Plan::tube`].
-pub fn tube(
+pub(super) fn tube(
     scenario: &Scenario,
     plan: &Plan,
     exact: Option<&ExactSolution>,
@@ -156,7 +155,7 @@ fn profile(text: &mut String, scenario: &Scenario, plan: &Plan, exact: Option<&E
             // Just inside the edges: on them the solution may have either of its values.
             let part = (f64::from(i) / f64::from(POINTS)).clamp(1e-9, 1.0 - 1e-9);
             let x = edge[0] + length * part;
-            let density = exact.map_or(0.0, |exact| exact.at([x, 0.0, 0.0], time).density);
+            let density = exact.map_or(0.0, |exact| exact.state([x, 0.0, 0.0], time).density);
             points.push((solver(x), density / plan.units.density()));
         }
     }

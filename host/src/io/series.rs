@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use super::table::{WriteError, components, csv, whole, writable, write_text};
+use super::table::{WriteError, components, table, whole, writable, write_text};
 use super::vtu::{Cloud, escaped, write_vtu};
 
 /// How snapshots are written.
@@ -140,19 +140,17 @@ fn write_cloud(path: &Path, cloud: &Cloud<'_>) -> Result<(), WriteError> {
     heading.extend(cloud.scalars.iter().map(|(name, _)| (*name).to_owned()));
     heading.extend(cloud.vectors.iter().flat_map(|(name, _)| components(name)));
     heading.extend(cloud.integers.iter().map(|(name, _)| (*name).to_owned()));
-    let rows = cloud.positions.iter().enumerate().map(|(k, position)| {
-        let mut row = position.to_vec();
-        row.extend(cloud.scalars.iter().map(|(_, values)| values[k]));
-        row.extend(cloud.vectors.iter().flat_map(|(_, values)| values[k]));
-        row.extend(
-            cloud
-                .integers
-                .iter()
-                .map(|(_, values)| f64::from(values[k])),
-        );
-        row
-    });
-    csv(path, &heading, rows)
+    table(path, &heading, |rows| {
+        for (k, position) in cloud.positions.iter().enumerate() {
+            let mut row = position.to_vec();
+            row.extend(cloud.scalars.iter().map(|(_, values)| values[k]));
+            row.extend(cloud.vectors.iter().flat_map(|(_, values)| values[k]));
+            let integers = cloud.integers.iter();
+            row.extend(integers.map(|(_, values)| f64::from(values[k])));
+            rows.write(&row)?;
+        }
+        Ok(())
+    })
 }
 
 #[cfg(test)]

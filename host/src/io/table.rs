@@ -5,9 +5,6 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
-use crate::comparison::ExactSolution;
-use crate::simulation::{Outcome, Sample, Spread};
-
 /// A file that could not be written.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
 #[error("cannot write {}", path.display())]
@@ -50,110 +47,43 @@ pub fn components(name: &str, dimension: usize) -> Vec<String> {
     }
 }
 
-/// The particles at the end, in id order, with the exact solution beside them.
-pub fn write_particles(
-    path: &Path,
-    dimension: usize,
-    outcome: &Outcome,
-    exact: Option<&ExactSolution>,
-) -> Result<(), WriteError> {
-    let mut heading = vec!["id".to_owned()];
-    heading.extend(components("position", dimension));
-    heading.extend(components("velocity", dimension));
-    let scalars = [
-        "mass",
-        "density",
-        "pressure",
-        "energy",
-        "epsilon",
-        "neighbours",
-        "sound_speed",
-        "divergence",
-        "viscosity_factor",
-        "material",
-    ];
-    heading.extend(scalars.map(String::from));
-    if exact.is_some() {
-        heading.push("exact_density".to_owned());
-        heading.extend(components("exact_velocity", dimension));
-        heading.extend(["exact_pressure", "exact_energy"].map(String::from));
-    }
-    let rows = outcome.particles.iter().enumerate().map(|(id, p)| {
-        let mut row = vec![id as f64];
-        row.extend(&p.position[..dimension]);
-        row.extend(&p.velocity[..dimension]);
-        row.extend([
-            p.mass,
-            p.density,
-            p.pressure,
-            p.energy,
-            p.epsilon,
-            p.neighbours,
-            p.sound_speed,
-            p.divergence,
-            p.viscosity_factor,
-            f64::from(p.material),
-        ]);
-        row.extend(
-            exact
-                .into_iter()
-                .flat_map(|exact| exact.row(p.position, outcome.time)),
-        );
-        row
-    });
-    csv(path, &heading, rows)
-}
-
-/// The time series of the diagnostics.
-pub fn write_series(path: &Path, dimension: usize, series: &[Sample]) -> Result<(), WriteError> {
-    let mut heading = ["time", "steps", "time_step", "mass"]
-        .map(String::from)
-        .to_vec();
-    heading.extend(components("momentum", dimension));
-    heading.push("energy".to_owned());
-    for quantity in ["density", "velocity", "pressure", "neighbours"] {
-        heading.extend(["min", "mean", "max"].map(|part| format!("{quantity}_{part}")));
-    }
-    heading.push("kinetic_energy".to_owned());
-    let turns: &[usize] = match dimension {
-        1 => &[],
-        2 => &[2],
-        _ => &[0, 1, 2],
-    };
-    let axes = ["x", "y", "z"];
-    heading.extend(
-        turns
-            .iter()
-            .map(|&i| format!("angular_momentum_{}", axes[i])),
-    );
-    let rows = series.iter().map(|s| {
-        let mut row = vec![s.time, s.steps as f64, s.time_step, s.mass];
-        row.extend(&s.momentum[..dimension]);
-        row.push(s.energy);
-        for Spread { min, mean, max } in [s.density, s.velocity, s.pressure, s.neighbours] {
-            row.extend([min, mean, max]);
-        }
-        row.push(s.kinetic_energy);
-        row.extend(turns.iter().map(|&i| s.angular_momentum[i]));
-        row
-    });
-    csv(path, &heading, rows)
-}
-
-/// A table of numbers: the shortest digits that read back to the same bits.
-pub(super) fn csv(
+/// Writes a table of numbers: the shortest digits that read back to the same bits.
+pub(super) fn table(
     path: &Path,
     heading: &[String],
-    rows: impl Iterator<Item = Vec<f64>>,
+    fill: impl FnOnce(&mut Rows<'_>) -> std::io::Result<()>,
 ) -> Result<(), WriteError> {
     whole(path, |file| {
-        let mut writer = csv::Writer::from_writer(std::io::BufWriter::new(file));
+        let mut writer = csv::Writer::from_writer(file);
         writer.write_record(heading)?;
-        for row in rows {
-            writer.write_record(row.iter().map(f64::to_string))?;
-        }
-        writer.flush()
+        let mut rows = Rows {
+            writer,
+            digits: String::new(),
+        };
+        fill(&mut rows)?;
+        rows.writer.flush()
     })
+}
+
+/// The rows of a table that is being written.
+pub(super) struct Rows<'a> {
+    writer: csv::Writer<&'a mut NamedTempFile>,
+    digits: String,
+}
+
+impl Rows<'_> {
+    /// Adds a row.
+    pub fn write(&mut self, row: &[f64]) -> std::io::Result<()> {
+        use std::fmt::Write;
+        for number in row {
+            self.digits.clear();
+            // Writing to a string cannot fail.
+            let _ = write!(self.digits, "{number}");
+            self.writer.write_field(&self.digits)?;
+        }
+        self.writer.write_record(None::<&[u8]>)?;
+        Ok(())
+    }
 }
 
 /// Writes beside `path`, then renames.

@@ -8,7 +8,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use thiserror::Error;
 
 /// One quantity over x.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Panel {
     /// The quantity, with its unit.
     pub heading: String,
@@ -16,6 +16,30 @@ pub struct Panel {
     pub points: Vec<(f64, f64)>,
     /// The exact solution, (x, value) in ascending x; may be empty.
     pub curve: Vec<(f64, f64)>,
+    /// Of how many particles each point is one; 0 and 1: of itself.
+    pub stride: usize,
+    /// The smallest and the largest (x, value) of all particles, where `points` are not all.
+    pub bounds: Option<[(f64, f64); 2]>,
+}
+
+impl Panel {
+    /// Makes room for a point that may not be drawn.
+    pub fn reach(&mut self, (x, y): (f64, f64)) {
+        if x.is_finite() && y.is_finite() {
+            let [lower, upper] = self.bounds.unwrap_or([(x, y); 2]);
+            let (lower, upper) = (
+                (lower.0.min(x), lower.1.min(y)),
+                (upper.0.max(x), upper.1.max(y)),
+            );
+            self.bounds = Some([lower, upper]);
+        }
+    }
+
+    /// The largest `|value|` of all particles that [`Panel::reach`] was called for.
+    pub fn largest(&self) -> f64 {
+        let values = self.bounds.iter().flatten().map(|(_, y)| y.abs());
+        values.fold(0.0, f64::max)
+    }
 }
 
 /// Why there is no picture.
@@ -76,7 +100,7 @@ const HEAD: u32 = 62;
 
 /// Points drawn in a panel at most, some 100 bytes each; of more, every second,
 /// third ... is drawn.
-const MOST_POINTS: usize = 1500;
+pub(super) const MOST_POINTS: usize = 1500;
 
 // Blue and vermilion of Okabe and Ito (2008), told apart by all kinds of colour vision.
 pub(super) const PARTICLES: RGBColor = RGBColor(0, 114, 178);
@@ -175,9 +199,10 @@ fn draw_head(
     let (mut x, y) = (px(18), px(48));
     head.draw(&Text::new(title.to_owned(), (x, px(22)), style(18)))?;
     if panels.iter().any(|panel| !panel.points.is_empty()) {
-        let label = match stride {
+        let before = panels.iter().map(|panel| panel.stride).max();
+        let label = match stride * before.unwrap_or(1).max(1) {
             1 => points.to_owned(),
-            _ => format!("{points} (1 in {stride})"),
+            stride => format!("{points} (1 in {stride})"),
         };
         head.draw(&Circle::new((x + px(6), y), px(3), PARTICLES.filled()))?;
         head.draw(&Text::new(label.clone(), (x + px(16), y), style(13)))?;
@@ -248,11 +273,13 @@ fn finite(panel: &Panel) -> Panel {
         heading: panel.heading.clone(),
         points: finite(&panel.points),
         curve: finite(&panel.curve),
+        ..*panel
     }
 }
 
 fn all(panel: &Panel) -> impl Iterator<Item = (f64, f64)> {
-    panel.points.iter().chain(&panel.curve).copied()
+    let drawn = panel.points.iter().chain(&panel.curve);
+    drawn.chain(panel.bounds.iter().flatten()).copied()
 }
 
 /// An axis that holds all values with a margin on both sides, given as a part of
@@ -301,6 +328,7 @@ mod tests {
             heading: heading.to_owned(),
             points: (0..count).map(|k| (x(k), x(k).sin())).collect(),
             curve: (0..200).map(|k| (k as f64 / 200.0 - 0.5, 0.1)).collect(),
+            ..Panel::default()
         }
     }
 
@@ -351,8 +379,7 @@ mod tests {
     fn empty_and_constant_panels_are_drawn() {
         let empty = Panel {
             heading: "empty".to_owned(),
-            points: vec![],
-            curve: vec![],
+            ..Panel::default()
         };
         let constant = |value: f64| Panel {
             points: vec![(0.0, value), (1.0, value * (1.0 + 1e-15))],

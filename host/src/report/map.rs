@@ -10,7 +10,7 @@ use std::ops::Range;
 use super::figure::{FigureError, range, tick};
 use crate::io::escaped;
 
-pub use super::raster::rasterised;
+pub use super::raster::Raster;
 
 /// One quantity over x and y.
 #[derive(Debug, Clone, PartialEq)]

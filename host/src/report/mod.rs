@@ -2,11 +2,10 @@
 
 pub mod convergence;
 pub mod figure;
-pub mod linear;
-pub mod linear_summary;
 mod log_axis;
 mod log_log;
 pub mod map;
+pub mod pictures;
 mod raster;
 pub mod results;
 pub mod suite;

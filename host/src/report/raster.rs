@@ -1,54 +1,69 @@
 //! Values of particles on the cells of a picture.
 
-/// The particles' values on `n[0]` x `n[1]` cells between `lower` and `upper`, row by row from
-/// below; NaN where no particle reaches.
+/// Values of particles on `n[0]` x `n[1]` cells between a lower and an upper corner, row by row from
+/// below.
 ///
 /// Shepard's mean with the cut-off M4, at the centre of every cell:
 ///
 /// `f(x) = Σ_l f_l z(|x - x_l|/ε) / Σ_l z(|x - x_l|/ε)`, `z(q) = 1/4 (2-q)₊³ - (1-q)₊³`
 ///
 /// (Shepard 1968). Between the least and the largest value, exact for constants, O(ε) at an edge
-/// and where particles lie unevenly, O(ε²) elsewhere: for pictures, not for errors. `eps`: the
-/// spacing of the particles or a little more, > 0. Particles that are not finite are left out.
-/// Cost: the cells within 2ε of each particle.
-pub fn rasterised(
-    positions: &[[f64; 2]],
-    values: &[f64],
+/// and where particles lie unevenly, O(ε²) elsewhere: for pictures, not for errors. Particles that
+/// are not finite are left out. Cost: the cells within 2ε of each particle.
+#[derive(Clone, Debug)]
+pub struct Raster {
     eps: f64,
     lower: [f64; 2],
-    upper: [f64; 2],
+    size: [f64; 2],
     n: [usize; 2],
-) -> Vec<f64> {
-    let size = [0, 1].map(|d| (upper[d] - lower[d]) / n[d] as f64);
-    let centre = |d: usize, cell: usize| lower[d] + (cell as f64 + 0.5) * size[d];
-    // Cells that may lie within 2ε, one more on each side against rounding: z decides.
-    let reach = |d: usize, x: f64| {
-        let place = |x: f64| (x - lower[d]) / size[d] - 0.5;
-        let first = place(x - 2.0 * eps).floor().max(0.0) as usize;
-        let end = place(x + 2.0 * eps).ceil() + 1.0;
-        first..(end.max(0.0) as usize).min(n[d])
-    };
-    let mut sums = vec![(0.0, 0.0); n[0] * n[1]];
-    for (position, value) in positions.iter().zip(values) {
-        let [x, y] = *position;
-        if !(x.is_finite() && y.is_finite() && value.is_finite()) {
-            continue;
+    sums: Vec<(f64, f64)>,
+}
+
+impl Raster {
+    /// A raster of no particles. `eps`: the spacing of the particles or a little more, > 0.
+    pub fn new(eps: f64, (lower, upper): ([f64; 2], [f64; 2]), n: [usize; 2]) -> Self {
+        Self {
+            eps,
+            lower,
+            size: [0, 1].map(|d| (upper[d] - lower[d]) / n[d] as f64),
+            n,
+            sums: vec![(0.0, 0.0); n[0] * n[1]],
         }
+    }
+
+    /// Adds a particle.
+    pub fn add(&mut self, [x, y]: [f64; 2], value: f64) {
+        if !(x.is_finite() && y.is_finite() && value.is_finite()) {
+            return;
+        }
+        let (eps, n) = (self.eps, self.n);
+        let centre = |d: usize, cell: usize| self.lower[d] + (cell as f64 + 0.5) * self.size[d];
+        // Cells that may lie within 2ε, one more on each side against rounding: z decides.
+        let reach = |d: usize, x: f64| {
+            let place = |x: f64| (x - self.lower[d]) / self.size[d] - 0.5;
+            let first = place(x - 2.0 * eps).floor().max(0.0) as usize;
+            let end = place(x + 2.0 * eps).ceil() + 1.0;
+            first..(end.max(0.0) as usize).min(n[d])
+        };
         for j in reach(1, y) {
             for i in reach(0, x) {
                 let distance = (centre(0, i) - x).hypot(centre(1, j) - y);
                 let weight = cubic_spline(distance / eps);
-                let (numerator, denominator) = &mut sums[j * n[0] + i];
+                let (numerator, denominator) = &mut self.sums[j * n[0] + i];
                 *numerator += weight * value;
                 *denominator += weight;
             }
         }
     }
-    let mean = |(numerator, denominator): (f64, f64)| match denominator > 0.0 {
-        true => numerator / denominator,
-        false => f64::NAN,
-    };
-    sums.into_iter().map(mean).collect()
+
+    /// The means; NaN where no particle reaches.
+    pub fn means(self) -> Vec<f64> {
+        let mean = |(numerator, denominator): (f64, f64)| match denominator > 0.0 {
+            true => numerator / denominator,
+            false => f64::NAN,
+        };
+        self.sums.into_iter().map(mean).collect()
+    }
 }
 
 /// M4 without its factor, which cancels.
@@ -72,6 +87,21 @@ mod tests {
             [2.4 * across - 1.2, 0.7 * k / count as f64 - 0.1]
         };
         (0..count).map(strewn).collect()
+    }
+
+    fn rasterised(
+        positions: &[[f64; 2]],
+        values: &[f64],
+        eps: f64,
+        lower: [f64; 2],
+        upper: [f64; 2],
+        n: [usize; 2],
+    ) -> Vec<f64> {
+        let mut raster = Raster::new(eps, (lower, upper), n);
+        for (position, value) in positions.iter().zip(values) {
+            raster.add(*position, *value);
+        }
+        raster.means()
     }
 
     fn wave(positions: &[[f64; 2]]) -> Vec<f64> {

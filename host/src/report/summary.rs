@@ -3,187 +3,216 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
-use crate::comparison::{FIELDS, Norms};
 use crate::experiment::Experiment;
-use crate::simulation::{Outcome, Spread};
+use crate::run::{EnergyNorm, Norms, Spread};
 
-/// What a run came to. Serialised, it is the object that `--json` prints.
+/// What a run came to. Serialised, it is the object that `--json` prints; what only some families
+/// have is left out of the object of the others.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Summary {
     /// Name of the scenario.
     pub scenario: String,
+    /// Kind of the system.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub system: Option<String>,
     /// Name of the scalar.
     pub scalar: String,
     /// Dimension of space.
     pub dimension: usize,
+    /// Names of the components.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub components: Option<Vec<String>>,
     /// Number of particles.
     pub particles: usize,
     /// Number of threads.
     pub threads: usize,
+    /// Name of the time integrator.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub method: Option<String>,
+    /// Mean spacing at the start.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub spacing: Option<f64>,
+    /// Width of the cut-off.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub epsilon: Option<f64>,
     /// Steps made.
     pub steps: u64,
+    /// Right-hand sides that they took.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub right_hand_sides: Option<u64>,
     /// Time reached.
     pub time: f64,
     /// The smallest and the largest time step.
     pub time_step: [f64; 2],
     /// Wall-clock seconds of the stepping.
     pub seconds: f64,
-    /// Errors against the exact solution; `null` without one.
-    pub errors: Option<BTreeMap<&'static str, Norms>>,
-    /// Drift of the conserved sums; `null` where gas flows through the sides.
-    pub drift: Option<DriftJson>,
+    /// Errors against the exact solution by field; `null` without one.
+    pub errors: Option<BTreeMap<String, Norms>>,
+    /// Drift of the conserved sums; `null` where they are not conserved.
+    #[serde(serialize_with = "as_object")]
+    pub drift: Option<Vec<(String, f64)>>,
+    /// The energy norm at the start and the end, and its bound at the end.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub energy_norm: Option<EnergyNorm>,
     /// Neighbour counts at the end.
-    pub neighbours: SpreadJson,
+    pub neighbours: Spread,
     /// Digest of the last state: 16 hexadecimal digits.
     pub digest: String,
     /// What a careful reader should know.
     pub warnings: Vec<String>,
+    /// The fields compared, in the order of tables.
+    #[serde(skip)]
+    fields: Vec<String>,
+    /// Why there is no drift to tell.
+    #[serde(skip)]
+    leak: Option<&'static str>,
 }
 
-/// Drift of the conserved sums.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct DriftJson {
-    /// Relative.
-    pub mass: f64,
-    /// Over total mass times the reference speed.
-    pub momentum: f64,
-    /// Over total mass times the reference speed times the size of the domain.
-    pub angular_momentum: f64,
-    /// Relative.
-    pub energy: f64,
-}
-
-/// Smallest, mean and largest.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct SpreadJson {
-    /// The smallest.
-    pub min: f64,
-    /// The mean.
-    pub mean: f64,
-    /// The largest.
-    pub max: f64,
+/// Named numbers as an object that keeps their order.
+fn as_object<S: Serializer>(
+    numbers: &Option<Vec<(String, f64)>>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    match numbers {
+        Some(numbers) => serializer.collect_map(numbers.iter().map(|(name, x)| (name, x))),
+        None => serializer.serialize_none(),
+    }
 }
 
 impl Summary {
     /// Of an experiment made with that scalar on so many threads.
     pub fn new(experiment: &Experiment, scalar: &str, threads: usize) -> Self {
-        let outcome = &experiment.outcome;
-        let Spread { min, mean, max } =
-            Spread::of(outcome.particles.iter().map(|particle| particle.neighbours));
-        let lonely = outcome.lonely.iter().map(|lonely| {
-            format!(
-                "particle {} had {} neighbour(s) at t = {:.6}: its density no longer feels the \
-                 spacing, and waves may move at wrong speeds; use eta, or a larger epsilon",
-                lonely.particle, lonely.neighbours, lonely.time
-            )
-        });
-        Self {
-            scenario: experiment.scenario.name.clone(),
+        let (outcome, simulation) = (&experiment.outcome, &experiment.simulation);
+        let description = simulation.description();
+        let mut warnings = simulation.warnings(outcome);
+        warnings.extend(experiment.doubts.iter().cloned());
+        let summary = Self {
+            scenario: experiment.scenario.name().to_owned(),
+            system: None,
             scalar: scalar.to_owned(),
-            dimension: experiment.scenario.dimension,
-            particles: outcome.particles.len(),
+            dimension: description.dimension,
+            components: None,
+            particles: outcome.particles,
             threads,
+            method: None,
+            spacing: None,
+            epsilon: None,
             steps: outcome.steps,
+            right_hand_sides: None,
             time: outcome.time,
             time_step: [outcome.smallest_step, outcome.largest_step],
             seconds: outcome.seconds,
             errors: experiment.errors.clone(),
-            drift: (!outcome.is_open).then_some(DriftJson {
-                mass: outcome.drift.mass,
-                momentum: outcome.drift.momentum,
-                angular_momentum: outcome.drift.angular_momentum,
-                energy: outcome.drift.energy,
-            }),
-            neighbours: SpreadJson { min, mean, max },
+            drift: outcome.is_conserving.then(|| outcome.drift.clone()),
+            energy_norm: None,
+            neighbours: outcome.neighbours,
             digest: outcome.digest.to_string(),
-            warnings: lonely
-                .chain(drifted(outcome))
-                .chain(experiment.doubts.iter().cloned())
-                .collect(),
+            warnings,
+            fields: crate::families::compared(&experiment.scenario),
+            leak: description.leak,
+        };
+        let Some(particulars) = simulation.particulars(outcome) else {
+            return summary;
+        };
+        let mut drift = summary.drift;
+        if let Some(drift) = &mut drift {
+            drift.sort_by(|a, b| a.0.cmp(&b.0));
+        }
+        Self {
+            system: Some(particulars.system),
+            components: Some(particulars.components),
+            method: Some(particulars.method),
+            spacing: Some(description.spacing),
+            epsilon: Some(particulars.epsilon),
+            right_hand_sides: Some(outcome.evaluations),
+            energy_norm: Some(particulars.energy_norm),
+            drift,
+            ..summary
         }
     }
-}
 
-/// The energy that a sound run may gain or lose: leap-frog and viscosity stay far below it.
-const SOUND_DRIFT: f64 = 1e-3;
-
-/// A warning where the energy has moved as it does not in a sound run.
-fn drifted(outcome: &Outcome) -> Option<String> {
-    let drift = outcome.drift.energy;
-    (!outcome.is_open && !(drift.abs() < SOUND_DRIFT)).then(|| {
-        format!(
-            "the total energy moved by {drift:.1e} of itself: in fixed point numbers may have \
-             overflowed (--check-overflow tells), else the time step is too large (time.courant)"
-        )
-    })
-}
-
-impl fmt::Display for Summary {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let per_step = 1e6 * self.seconds / self.steps.max(1) as f64;
-        let updates = self.particles as f64 * self.steps as f64 / self.seconds / 1e6;
+    /// The first two lines: what was run, and how.
+    fn head(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let threads = if self.threads == 1 {
             "thread"
         } else {
             "threads"
         };
+        write!(f, "{}: ", self.scenario)?;
+        if let Some(system) = &self.system {
+            write!(f, "{system}, ")?;
+        }
+        write!(f, "{} particles, ", self.particles)?;
+        if let (Some(epsilon), Some(spacing)) = (self.epsilon, self.spacing) {
+            write!(f, "epsilon {:.2} spacings, ", epsilon / spacing)?;
+        }
+        writeln!(f, "{}, {} {threads}", self.scalar, self.threads)?;
+        write!(f, "{} steps ", self.steps)?;
+        if let (Some(method), Some(sides)) = (&self.method, self.right_hand_sides) {
+            write!(f, "of {method}, {sides} right-hand sides, ")?;
+        }
+        let per_step = 1e6 * self.seconds / self.steps.max(1) as f64;
+        let updates = self.particles as f64 * self.steps as f64 / self.seconds / 1e6;
         writeln!(
             f,
-            "{}: {} particles, {}, {} {threads}",
-            self.scenario, self.particles, self.scalar, self.threads
-        )?;
-        writeln!(
-            f,
-            "{} steps to t = {} in {:.3} s: {per_step:.1} us a step, {updates:.2} million particle \
+            "to t = {:?} in {:.3} s: {per_step:.1} us a step, {updates:.2} million particle \
              updates/s",
-            self.steps, self.time, self.seconds
+            self.time, self.seconds
+        )
+    }
+
+    fn errors(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(errors) = &self.errors else {
+            return Ok(());
+        };
+        let width = 2 + self.fields.iter().map(String::len).max().unwrap_or(0);
+        writeln!(
+            f,
+            "\n{:<width$}{:>12}{:>12}{:>12}",
+            "error", "L1", "L2", "Linf"
         )?;
-        if let Some(errors) = &self.errors {
-            writeln!(f, "\n{:<10}{:>12}{:>12}{:>12}", "error", "L1", "L2", "Linf")?;
-            for (field, norms) in FIELDS
-                .iter()
-                .filter_map(|field| errors.get_key_value(field))
-            {
-                writeln!(
-                    f,
-                    "{field:<10}{:>12.4e}{:>12.4e}{:>12.4e}",
-                    norms.l1, norms.l2, norms.linf
-                )?;
+        let fields = self.fields.iter();
+        for (field, norms) in fields.filter_map(|field| errors.get_key_value(field)) {
+            let Norms { l1, l2, linf, .. } = norms;
+            writeln!(f, "{field:<width$}{l1:>12.4e}{l2:>12.4e}{linf:>12.4e}")?;
+        }
+        Ok(())
+    }
+
+    fn sums(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (&self.drift, self.leak) {
+            (Some(drift), _) => {
+                let parts = drift
+                    .iter()
+                    .map(|(name, drift)| format!("{name} {drift:.1e}"));
+                writeln!(f, "\ndrift      {}", parts.collect::<Vec<_>>().join(", "))?;
+            }
+            (None, leak) => {
+                writeln!(f, "\ndrift      none to tell: {}", leak.unwrap_or_default())?;
             }
         }
-        match &self.drift {
-            Some(drift) => writeln!(
-                f,
-                "\ndrift      mass {:.1e}, momentum {:.1e}, energy {:.1e}",
-                drift.mass, drift.momentum, drift.energy
-            )?,
-            None => writeln!(f, "\ndrift      none to tell: gas flows through the sides")?,
+        if let Some(EnergyNorm { first, last, bound }) = self.energy_norm {
+            let bound = bound.map_or("no bound".to_owned(), |bound| format!("bound {bound:.6e}"));
+            writeln!(f, "energy     norm {first:.6e} to {last:.6e}, {bound}")?;
         }
-        ending(
-            f,
-            self.time_step,
-            self.neighbours,
-            &self.digest,
-            &self.warnings,
-        )
+        Ok(())
     }
 }
 
-/// The last lines of every summary.
-pub(super) fn ending(
-    f: &mut fmt::Formatter<'_>,
-    [smallest, largest]: [f64; 2],
-    SpreadJson { min, mean, max }: SpreadJson,
-    digest: &str,
-    warnings: &[String],
-) -> fmt::Result {
-    writeln!(f, "time step  {smallest:.3e} to {largest:.3e}")?;
-    writeln!(f, "neighbours {min} to {max}, mean {mean:.2}")?;
-    write!(f, "digest     {digest}")?;
-    for warning in warnings {
-        write!(f, "\nwarning: {warning}")?;
+impl fmt::Display for Summary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.head(f)?;
+        self.errors(f)?;
+        self.sums(f)?;
+        let ([smallest, largest], Spread { min, mean, max }) = (self.time_step, self.neighbours);
+        writeln!(f, "time step  {smallest:.3e} to {largest:.3e}")?;
+        writeln!(f, "neighbours {min} to {max}, mean {mean:.2}")?;
+        write!(f, "digest     {}", self.digest)?;
+        for warning in &self.warnings {
+            write!(f, "\nwarning: {warning}")?;
+        }
+        Ok(())
     }
-    Ok(())
 }

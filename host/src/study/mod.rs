@@ -4,17 +4,17 @@
 //! Knows no equation: [`Study::run`] is given a closure that makes one level.
 
 mod fit;
-mod gas;
 mod ladder;
-mod linear;
+mod level;
+mod subject;
 #[cfg(test)]
 mod tests;
 mod theory;
 
 pub use fit::{PowerLaw, order};
-pub use gas::gas_level;
 pub use ladder::{coarsest, ladder};
-pub use linear::linear_level;
+pub use level::level;
+pub use subject::Subject;
 pub use theory::Theory;
 
 /// One resolution and what came out.

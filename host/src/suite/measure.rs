@@ -2,9 +2,10 @@
 
 use crate::exact::kelvin_helmholtz::{GROWTH_RATE, ModeSample, mode_amplitude};
 use crate::experiment::Experiment;
+use crate::families::gas::ExactSolution;
 use crate::report::suite::Check;
-use crate::scenario::Norm;
-use crate::simulation::{Look, ScalarName};
+use crate::run::{ScalarName, Simulation};
+use crate::scenario::{AnyScenario, Norm, Scenario};
 use crate::study::order;
 
 /// What is measured.
@@ -78,7 +79,7 @@ impl Measure {
                 if scalar != ScalarName::F64 {
                     return None;
                 }
-                let drift = experiment.outcome.drift.energy.abs();
+                let drift = experiment.outcome.drift_of("energy").abs();
                 ("energy drift", drift, most, reason)
             }
             Self::ContactBlip {
@@ -111,45 +112,64 @@ impl Measure {
     }
 }
 
+/// What was run; only gases are measured so.
+fn gas(experiment: &Experiment) -> Option<&Scenario> {
+    match &experiment.scenario {
+        AnyScenario::Gas(scenario) => Some(scenario),
+        AnyScenario::Linear(_) => None,
+    }
+}
+
+/// The solution that the scenario of a gas names.
+fn exact(experiment: &Experiment) -> Option<ExactSolution> {
+    ExactSolution::of(gas(experiment)?).ok().flatten()
+}
+
+/// Positions, volumes and one more column.
+fn particles(simulation: &dyn Simulation, heading: &str) -> Vec<([f64; 3], f64, f64)> {
+    let mut places = Vec::new();
+    simulation.each(|row| places.push((row.position, row.volume)));
+    let column = simulation.column(heading).unwrap_or_default();
+    let rows = places.into_iter().zip(column);
+    rows.map(|((position, volume), value)| (position, volume, value))
+        .collect()
+}
+
 /// `max |p/p* - 1|` over the particles near the contact.
 fn blip(experiment: &Experiment, within: f64) -> f64 {
-    let (Some(exact), outcome) = (&experiment.exact, &experiment.outcome) else {
-        return f64::NAN;
-    };
-    let Some((contact, pressure)) = exact.contact(outcome.time) else {
+    let contact = exact(experiment).and_then(|exact| exact.contact(experiment.outcome.time));
+    let Some((contact, pressure)) = contact else {
         return f64::NAN;
     };
     let near = |x: f64| (x - contact).abs() <= within;
-    outcome
-        .particles
+    particles(&*experiment.simulation, "pressure")
         .iter()
-        .filter(|particle| near(particle.position[0]))
-        .map(|particle| (particle.pressure / pressure - 1.0).abs())
+        .filter(|(position, ..)| near(position[0]))
+        .map(|(.., value)| (value / pressure - 1.0).abs())
         .fold(0.0, f64::max)
 }
 
 /// Where the mean pressure on rings of one spacing falls through half of that behind a shock
 /// at `exact_radius`.
 fn shock_radius(experiment: &Experiment, exact_radius: f64) -> f64 {
-    let outcome = &experiment.outcome;
-    let Some(exact) = &experiment.exact else {
+    let Some(exact) = exact(experiment) else {
         return f64::NAN;
     };
     // Inside even where the radius is rounded; the profile is flat on that scale.
     let behind = [exact_radius * (1.0 - 1e-4), 0.0, 0.0];
-    let half = 0.5 * exact.at(behind, outcome.time).pressure;
-    let dimension = experiment.scenario.dimension as f64;
-    let volume: f64 = outcome.particles.iter().map(|p| p.mass / p.density).sum();
-    let spacing = (volume / outcome.particles.len() as f64).powf(1.0 / dimension);
+    let half = 0.5 * exact.state(behind, experiment.outcome.time).pressure;
+    let dimension = experiment.scenario.dimension() as f64;
+    let particles = particles(&*experiment.simulation, "pressure");
+    let volume: f64 = particles.iter().map(|(_, volume, _)| volume).sum();
+    let spacing = (volume / particles.len() as f64).powf(1.0 / dimension);
     let radius = |x: &[f64; 3]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
     let mut rings: Vec<(f64, f64)> = Vec::new();
-    for particle in &outcome.particles {
-        let ring = (radius(&particle.position) / spacing) as usize;
+    for (position, volume, pressure) in &particles {
+        let ring = (radius(position) / spacing) as usize;
         if ring >= rings.len() {
             rings.resize(ring + 1, (0.0, 0.0));
         }
-        let volume = particle.mass / particle.density;
-        rings[ring].0 += volume * particle.pressure;
+        rings[ring].0 += volume * pressure;
         rings[ring].1 += volume;
     }
     let means: Vec<f64> = rings.iter().map(|(sum, volume)| sum / volume).collect();
@@ -166,16 +186,19 @@ fn shock_radius(experiment: &Experiment, exact_radius: f64) -> f64 {
 /// The largest distance of a corner of the square from the nearest particle of it, in
 /// spacings, less half a diagonal: where the lattice put that particle.
 fn corners(experiment: &Experiment) -> f64 {
-    let square = &experiment.scenario.regions[0].extent;
-    let particles = &experiment.outcome.particles;
+    let Some(scenario) = gas(experiment) else {
+        return f64::NAN;
+    };
+    let square = &scenario.regions[0].extent;
+    let particles = particles(&*experiment.simulation, "material");
     let spacing = (1.0 / particles.len() as f64).sqrt();
     let mut largest = 0.0f64;
     for x in [square.lower[0], square.upper[0]] {
         for y in [square.lower[1], square.upper[1]] {
             let nearest = particles
                 .iter()
-                .filter(|particle| particle.material == 0)
-                .map(|p| (p.position[0] - x).hypot(p.position[1] - y))
+                .filter(|(.., material)| *material == 0.0)
+                .map(|(position, ..)| (position[0] - x).hypot(position[1] - y))
                 .fold(f64::INFINITY, f64::min);
             largest = largest.max(nearest / spacing - 0.5f64.sqrt());
         }
@@ -192,19 +215,23 @@ const LINEAR_PHASE: [f64; 2] = [0.6, 1.2];
 
 impl Amplitudes {
     /// Adds the amplitude of now.
-    pub(super) fn add(&mut self, look: &Look<'_>) {
-        let due = self.0.last().is_none_or(|last| look.time >= last.0 + 0.02);
-        if !due || look.time < LINEAR_PHASE[0] || look.time > LINEAR_PHASE[1] {
+    pub(super) fn add(&mut self, simulation: &dyn Simulation) {
+        let time = simulation.time();
+        let due = self.0.last().is_none_or(|last| time >= last.0 + 0.02);
+        let [first, last] = LINEAR_PHASE;
+        if !due || !(first..=last).contains(&time) {
             return;
         }
-        let rows = (look.particles)();
-        let samples = rows.iter().map(|row| ModeSample {
-            position: [row.position[0], row.position[1]],
-            velocity_y: row.velocity[1],
-            volume: row.mass / row.density,
-        });
+        let rows = particles(simulation, "velocity_y");
+        let samples = rows
+            .iter()
+            .map(|&(position, volume, velocity_y)| ModeSample {
+                position: [position[0], position[1]],
+                velocity_y,
+                volume,
+            });
         if let Some(amplitude) = mode_amplitude(samples) {
-            self.0.push((look.time, amplitude));
+            self.0.push((time, amplitude));
         }
     }
 

@@ -10,12 +10,11 @@ mod measure;
 pub use cases::{CASES, Case};
 pub use measure::Measure;
 
-use crate::comparison::{ExactError, ExactSolution, norms};
 use crate::engine::Threads;
-use crate::experiment::Experiment;
+use crate::experiment::{Experiment, ExperimentError};
 use crate::report::suite::{Check, SuiteRow};
-use crate::scenario::{Scenario, ScenarioError, Source};
-use crate::simulation::{Control, Outcome, Plan, PlanError, RunError, ScalarName};
+use crate::run::{Control, ScalarName, Simulation};
+use crate::scenario::{AnyScenario, ScenarioError, Source};
 use crate::study::order;
 
 /// Why a case has no row.
@@ -25,18 +24,10 @@ pub enum SuiteError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Scenario(#[from] ScenarioError),
-    /// It has no exact solution after all.
+    /// It cannot be run.
     #[error(transparent)]
     #[diagnostic(transparent)]
-    Exact(#[from] ExactError),
-    /// It cannot be planned.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Plan(#[from] PlanError),
-    /// It did not run to its end.
-    #[error(transparent)]
-    #[diagnostic(transparent)]
-    Run(#[from] RunError),
+    Experiment(#[from] ExperimentError),
 }
 
 /// The row of a case, and the run behind it.
@@ -80,10 +71,10 @@ impl Case {
     ///
     /// # Errors
     /// What keeps it from being one.
-    pub fn scenario(&self, more: &[String]) -> Result<Scenario, ScenarioError> {
+    pub fn scenario(&self, more: &[String]) -> Result<AnyScenario, ScenarioError> {
         let own = self.changes.iter().map(|change| (*change).to_owned());
         let changes: Vec<String> = own.chain(more.iter().cloned()).collect();
-        Scenario::read(Source::BuiltIn(self.scenario.to_owned()), &changes)
+        AnyScenario::read(Source::BuiltIn(self.scenario.to_owned()), &changes)
     }
 
     /// Runs the case and what it needs beside, and measures it.
@@ -101,9 +92,9 @@ impl Case {
             .measures
             .iter()
             .any(|measure| matches!(measure, Measure::Growth { .. }));
-        let experiment = self.run(&[], scalar, engine, progress, &mut |look| {
+        let experiment = self.run(&[], scalar, engine, progress, &mut |simulation| {
             if wants_growth {
-                growth.add(look);
+                growth.add(simulation);
             }
             Ok(())
         })?;
@@ -122,7 +113,7 @@ impl Case {
                         let more = [format!("resolution.particles={count}")];
                         let run = self.run(&more, scalar, engine, progress, &mut |_| Ok(()))?;
                         let spacing =
-                            1.0 / (count as f64).powf(1.0 / run.scenario.dimension as f64);
+                            1.0 / (count as f64).powf(1.0 / run.scenario.dimension() as f64);
                         let error = run.errors.map_or(f64::NAN, |errors| errors[field].of(norm));
                         errors.push((spacing, error));
                     }
@@ -143,22 +134,22 @@ impl Case {
         let row = SuiteRow {
             scenario: self.name(),
             scalar: scalar.name().to_owned(),
-            dimension: experiment.scenario.dimension,
-            particles: outcome.particles.len(),
+            dimension: experiment.scenario.dimension(),
+            particles: outcome.particles,
             steps: outcome.steps,
             seconds: outcome.seconds,
             smallest_step: outcome.smallest_step,
             checks,
-            energy_drift: outcome.drift.energy,
-            momentum_drift: outcome.drift.momentum,
+            energy_drift: outcome.drift_of("energy"),
+            momentum_drift: outcome.drift_of("momentum"),
             digest: outcome.digest.to_string(),
-            note: self.note(&experiment, outcome),
+            note: self.note(&experiment),
             picture: None,
         };
         Ok(Measured { row, experiment })
     }
 
-    fn note(&self, experiment: &Experiment, _: &Outcome) -> Option<String> {
+    fn note(&self, experiment: &Experiment) -> Option<String> {
         let changes = match self.changes {
             [] => None,
             changes => Some(format!("run with --set {}", changes.join(" --set "))),
@@ -176,22 +167,17 @@ impl Case {
         scalar: ScalarName,
         engine: &mut Threads,
         progress: &mut dyn FnMut(f64) -> bool,
-        look: &mut dyn FnMut(&crate::simulation::Look<'_>) -> Result<(), String>,
+        look: &mut dyn FnMut(&dyn Simulation) -> Result<(), String>,
     ) -> Result<Experiment, SuiteError> {
         let scenario = self.scenario(more)?;
-        let exact = ExactSolution::of(&scenario)?;
-        let plan = Plan::new(&scenario)?;
         let mut control = Control {
-            samples: scenario.output.samples,
+            samples: scenario.samples(),
             progress,
             look,
         };
-        let how = (scalar, false);
         Ok(Experiment::run(
             scenario,
-            &plan,
-            exact,
-            how,
+            (scalar, false),
             engine,
             &mut control,
         )?)
@@ -208,21 +194,21 @@ fn tolerances(experiment: &Experiment, scalar: &str) -> Vec<Check> {
         true => IN_FIXED_POINT,
         false => 1.0,
     };
-    let errors = experiment.exact.as_ref().and_then(|exact| {
-        let (outcome, scenario) = (&experiment.outcome, &experiment.scenario);
-        norms(exact, &outcome.particles, outcome.time, scenario)
-    });
-    let check = |tolerance: &crate::scenario::Tolerance| {
-        let (field, norm) = (tolerance.field.name(), tolerance.norm);
+    let check = |tolerance: crate::scenario::Tolerance<String>| {
+        let (field, norm) = (tolerance.field, tolerance.norm);
+        let errors = experiment.errors.as_ref();
         Check {
             what: format!("{field} {}", norm.name().to_uppercase()),
-            measured: errors
-                .as_ref()
-                .map_or(f64::NAN, |errors| errors[field].of(norm)),
+            measured: errors.map_or(f64::NAN, |errors| errors[&field].of(norm)),
             bound: factor * tolerance.value,
-            reason: tolerance.reason.clone(),
+            reason: tolerance.reason,
             lower: false,
         }
     };
-    experiment.scenario.tolerances.iter().map(check).collect()
+    experiment
+        .scenario
+        .tolerances()
+        .into_iter()
+        .map(check)
+        .collect()
 }

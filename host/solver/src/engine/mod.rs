@@ -7,6 +7,8 @@ mod instruction_set;
 mod kernels;
 mod list;
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use motes_core::error::{Container, Error};
 use motes_core::neighbours::Cells;
 use motes_core::pairs::{Engine, Law, Settled, plain};
@@ -26,6 +28,21 @@ pub struct Threads {
     instruction_set: InstructionSet,
     lists: Vec<GrowingList>,
     fresh: bool,
+    /// Whose lists they are.
+    served: u64,
+}
+
+/// Who keeps a sorted cloud between calls. The engine's neighbour lists are those of one cloud:
+/// of one cloud after another they are made anew.
+#[derive(Debug)]
+pub(crate) struct Holder(u64);
+
+impl Holder {
+    /// One that there has not been.
+    pub fn new() -> Self {
+        static COUNT: AtomicU64 = AtomicU64::new(1);
+        Self(COUNT.fetch_add(1, Ordering::Relaxed))
+    }
 }
 
 /// More threads than any machine this is meant for has cores; a slip of the keyboard.
@@ -73,7 +90,14 @@ impl Threads {
             instruction_set: set.available(),
             lists: Vec::new(),
             fresh: true,
+            served: 0,
         })
+    }
+
+    /// Forgets the neighbour lists if they are those of another cloud.
+    pub(crate) fn serve(&mut self, holder: &Holder) {
+        self.fresh |= self.served != holder.0;
+        self.served = holder.0;
     }
 
     /// The instruction set of the inner loops.

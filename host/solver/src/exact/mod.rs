@@ -12,5 +12,6 @@ pub mod noh;
 mod residual;
 pub mod riemann;
 pub mod sedov;
+pub mod solution;
 pub mod sound_wave;
 pub mod yee_vortex;

@@ -7,7 +7,7 @@ use motes_core::equation::gas::{GasDynamics, Options, Particle, Physics, Plain, 
 use motes_core::material::IdealGas;
 use motes_core::pairs::Fields;
 use motes_core::scalar::Scalar;
-use motes_solver::simulation::{GasArrays, PlainArrays};
+use motes_solver::families::gas::{GasArrays, PlainArrays};
 
 /// A gas solver of the tests, with the law `P`.
 pub type Following<S, C, V, P, const D: usize> = GasDynamics<'static, S, C, V, IdealGas<S>, P, D>;

@@ -7,7 +7,7 @@ use motes_core::equation::gas::Particle;
 use motes_core::equation::gas::gradient::{Gradient, GradientNode, GradientSums, Slopes};
 use motes_core::neighbours::sort;
 use motes_core::pairs::{Engine, Fields, PlainLoop, Settled};
-use motes_solver::simulation::PlainArrays;
+use motes_solver::families::gas::PlainArrays;
 
 use super::{Matrix, cloud, dot, times};
 use crate::clouds::Stream;

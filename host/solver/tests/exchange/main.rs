@@ -21,7 +21,7 @@ use motes_core::equation::gas::{
 };
 use motes_core::material::EquationOfState;
 use motes_core::pairs::HalfLoop;
-use motes_solver::simulation::OptionsArrays;
+use motes_solver::families::gas::OptionsArrays;
 
 /// A vector field or a velocity gradient, `∂u_i/∂x_j`.
 type Matrix<const D: usize> = [[f64; D]; D];

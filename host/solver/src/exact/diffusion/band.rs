@@ -12,7 +12,7 @@ mod tests;
 use std::f64::consts::PI;
 
 use super::super::linear::error::{SolutionError, check, finite, not_negative, positive};
-use super::super::linear::solution::{Solution, fill};
+use crate::exact::solution::{Solution, fill};
 
 /// A band of u = A, in zero.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -19,11 +19,11 @@ mod tests;
 use super::super::linear::error::{
     SolutionError, check, dimension_up_to, finite, not_negative, positive,
 };
-use super::super::linear::solution::Solution;
 use super::super::linear::transport::field::Field;
 use super::modulation::Modulation;
 use super::reaction::{Reaction, check_reaction};
 use super::tensor::{IDENTITY, check_tensor};
+use crate::exact::solution::Solution;
 use images::Images;
 
 /// `u_0 exp(-|x - center|^2 / width^2)` at t = 0: a variance of `width^2/2` in each direction.

@@ -10,8 +10,8 @@
 mod tests;
 
 use super::super::linear::error::{SolutionError, check, finite, not_negative, positive};
-use super::super::linear::solution::{Solution, fill};
 use super::modulation::{Modulation, elapsed};
+use crate::exact::solution::{Solution, fill};
 
 /// A polynomial on an interval.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -13,9 +13,9 @@ mod tests;
 
 use super::super::linear::error::{SolutionError, check, check_length, finite, not_negative};
 use super::super::linear::plane_wave::dot;
-use super::super::linear::solution::Solution;
 use super::reaction::{Reaction, check_reaction};
 use super::tensor::{IDENTITY, check_tensor};
+use crate::exact::solution::Solution;
 
 /// A wave vector, and the wave at t = 0.
 #[derive(Debug, Clone, PartialEq)]

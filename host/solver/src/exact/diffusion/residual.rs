@@ -2,7 +2,7 @@
 //! solution that knows nothing of how it was found.
 
 use super::super::linear::residual::Probe;
-use super::super::linear::solution::Solution;
+use crate::exact::solution::Solution;
 
 /// Step of the differences as a part of `length` and `pace`.
 const STEP: f64 = 0.01;

@@ -29,7 +29,7 @@ mod tests;
 use std::sync::{Mutex, PoisonError};
 
 use super::super::linear::error::{SolutionError, check, finite, positive};
-use super::super::linear::solution::{Solution, fill};
+use crate::exact::solution::{Solution, fill};
 use drive::Drive;
 use driven::Driven;
 use eigenmodes::{Eigenmode, eigenmodes};

@@ -14,8 +14,8 @@ mod tests;
 
 use super::error::{SolutionError, check, finite, positive};
 use super::plane_wave::PlaneWave;
-use super::solution::{Solution, fill};
 use super::system::System;
+use crate::exact::solution::{Solution, fill};
 
 /// A solid and the waves in it.
 #[derive(Debug, Clone, Copy, PartialEq)]

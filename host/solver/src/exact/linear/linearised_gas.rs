@@ -15,8 +15,8 @@ mod tests;
 
 use super::error::{SolutionError, check, dimension_up_to, finite, positive};
 use super::plane_wave::{PlaneWave, dot};
-use super::solution::{Solution, fill};
 use super::system::System;
+use crate::exact::solution::{Solution, fill};
 
 /// A gas and the waves in it.
 #[derive(Debug, Clone, Copy, PartialEq)]

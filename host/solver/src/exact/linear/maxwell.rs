@@ -17,8 +17,8 @@ mod tests;
 use std::f64::consts::PI;
 
 use super::error::{SolutionError, check, finite, positive};
-use super::solution::{Solution, fill};
 use super::system::System;
+use crate::exact::solution::{Solution, fill};
 
 /// A medium, a box and a wave in it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -14,7 +14,6 @@ pub mod plane_wave;
 #[cfg(test)]
 pub(in crate::exact) mod residual;
 pub mod shallow_water;
-pub mod solution;
 pub mod system;
 pub mod telegraph;
 pub mod transport;

@@ -16,8 +16,8 @@ use std::sync::{Mutex, PoisonError};
 
 use super::error::{SolutionError, check, check_length, finite};
 use super::plane_wave::dot;
-use super::solution::Solution;
 use super::system::System;
+use crate::exact::solution::Solution;
 use exponential::{exponential, product};
 
 /// A system, a wave vector, and the wave at t = 0.

@@ -1,8 +1,8 @@
 //! How far a solution is from its equation, by finite differences: a check of every exact
 //! solution that knows nothing of how it was found.
 
-use super::solution::Solution;
 use super::system::System;
+use crate::exact::solution::Solution;
 
 /// Step of the differences as a part of `length` and `pace`: fifth root of the rounding of
 /// f64, which balances the error of the formula, O(STEP^4), against the rounding,

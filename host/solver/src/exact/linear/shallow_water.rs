@@ -12,8 +12,8 @@ mod tests;
 
 use super::error::{SolutionError, check, finite, positive};
 use super::plane_wave::PlaneWave;
-use super::solution::{Solution, fill};
 use super::system::System;
+use crate::exact::solution::{Solution, fill};
 
 /// Water and a wave on it.
 #[derive(Debug, Clone, Copy, PartialEq)]

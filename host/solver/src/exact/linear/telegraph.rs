@@ -15,8 +15,8 @@ mod tests;
 use std::f64::consts::PI;
 
 use super::error::{SolutionError, check, finite, not_negative, positive};
-use super::solution::{Solution, fill};
 use super::system::System;
+use crate::exact::solution::{Solution, fill};
 
 /// A line, all quantities per length, and a wave on it.
 #[derive(Debug, Clone, Copy, PartialEq)]

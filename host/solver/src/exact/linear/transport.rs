@@ -15,7 +15,7 @@ mod tests;
 
 use super::error::{SolutionError, check, finite, not_negative};
 use super::gaussian::{gaussian, gaussian_numbers};
-use super::solution::{Solution, fill};
+use crate::exact::solution::{Solution, fill};
 use field::Field;
 
 /// A Gaussian, `amplitude exp(-|x - center|^2 / width^2)` at t = 0, in a velocity field.

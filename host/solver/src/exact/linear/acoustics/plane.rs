@@ -2,9 +2,9 @@
 
 use super::super::error::{SolutionError, check, dimension_up_to};
 use super::super::plane_wave::PlaneWave;
-use super::super::solution::{Solution, fill};
 use super::super::system::System;
 use super::Medium;
+use crate::exact::solution::{Solution, fill};
 
 /// A wave in a medium.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -7,9 +7,9 @@ use std::f64::consts::PI;
 
 use super::super::error::{Number, SolutionError, check, finite, positive};
 use super::super::gaussian::{gaussian, gaussian_numbers};
-use super::super::solution::{Solution, fill};
 use super::super::system::System;
 use super::Medium;
+use crate::exact::solution::{Solution, fill};
 
 /// f, the pressure at t = 0.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -14,9 +14,9 @@
 mod quadrature;
 
 use super::super::error::{SolutionError, check, finite, positive};
-use super::super::solution::{Solution, fill};
 use super::super::system::System;
 use super::Medium;
+use crate::exact::solution::{Solution, fill};
 use quadrature::{RULE, gauss_legendre};
 
 /// A pulse in the plane.

@@ -3,11 +3,11 @@
 use super::super::modes::tests::assert_is_a_mode;
 use super::super::plane_wave::PlaneWave;
 use super::super::residual::{Probe, assert_holds};
-use super::super::solution::Solution;
 use super::plane::*;
 use super::pulse::*;
 use super::radial::*;
 use super::*;
+use crate::exact::solution::Solution;
 
 const MEDIUM: Medium = Medium {
     density: 1.3,

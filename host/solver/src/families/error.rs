@@ -1,0 +1,63 @@
+//! Why a scenario cannot be planned.
+
+use super::strengths::QuadratureError;
+use crate::exact::linear::error::SolutionError;
+use crate::run::RunError;
+use crate::setup::SetupError;
+use crate::symmetriser::SymmetriserError;
+
+/// A scenario that cannot be planned.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+pub enum PlanError {
+    /// The particles cannot be placed.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Setup(#[from] SetupError),
+    /// A cut-off that reaches too few or too many particles.
+    #[error(
+        "eta = {eta} makes the cut-off `{cut_off}` reach {reach} spacings: need {least} to {most}"
+    )]
+    #[diagnostic(help(
+        "set cut-off.eta between {} and {} (with theta: eta h^(theta-1))",
+        least / support,
+        most / support
+    ))]
+    Reach {
+        /// Width in spacings.
+        eta: f64,
+        /// Name of the cut-off.
+        cut_off: &'static str,
+        /// Its support in units of its width.
+        support: f64,
+        /// Their product.
+        reach: f64,
+        /// The least that works.
+        least: f64,
+        /// The most that is allowed.
+        most: f64,
+    },
+    /// Numbers so large or small that the solver's units are not finite.
+    #[error("the unit of {unit} would be {value:e}")]
+    #[diagnostic(help("give the scenario in units in which its numbers are nearer to 1"))]
+    Extreme {
+        /// Which solver unit.
+        unit: &'static str,
+        /// What it would be.
+        value: f64,
+    },
+    /// More particles than fit into memory.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Memory(#[from] RunError),
+    /// The points and weights.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Quadrature(#[from] QuadratureError),
+    /// The exact solution, which the state at t = 0 is taken from.
+    #[error("the scenario has no initial state: {0}")]
+    Solution(#[from] SolutionError),
+    /// The matrices.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Symmetriser(#[from] SymmetriserError),
+}

@@ -1,0 +1,47 @@
+//! What a scalar must hold of a gas.
+
+use motes_core::equation::gas::{Particle, Width};
+use motes_core::scalar::Scalar;
+
+use super::opening::OpenSides;
+use super::plan::Plan;
+use crate::run::{RunError, check_numbers};
+
+/// Refuses a plan with a number that the format cannot hold to 1 %.
+pub(super) fn check_format<S: Scalar>(plan: &Plan, scalar: &str) -> Result<(), RunError> {
+    let width = match plan.width {
+        Width::Adaptive { eta } => ("eta", eta),
+        Width::Constant { epsilon } => ("epsilon", epsilon),
+    };
+    let mut numbers = vec![
+        width,
+        ("the duration", plan.end),
+        ("courant", plan.courant),
+        ("the number of particles", plan.particles.len() as f64),
+    ];
+    for axis in &plan.axes[..plan.dimension] {
+        numbers.push(("the length of the domain", axis.upper - axis.lower));
+    }
+    // The largest of each: what is small beside it may be lost.
+    let largest =
+        |of: &dyn Fn(&Particle<f64, 3>) -> f64| plan.particles.iter().map(of).fold(0.0, f64::max);
+    numbers.extend([
+        ("the mass of a particle", largest(&|p| p.mass)),
+        ("an internal energy", largest(&|p| p.energy)),
+    ]);
+    for i in 0..plan.dimension {
+        numbers.push(("a velocity", largest(&|p| p.velocity[i].abs())));
+    }
+    if let Some(incoming) = plan.opening.as_ref().and_then(OpenSides::incoming) {
+        let particle = &incoming.particle;
+        numbers.extend([
+            ("the spacing of the inflow", incoming.spacing),
+            ("the mass of a particle of the inflow", particle.mass),
+            ("the internal energy of the inflow", particle.energy),
+        ]);
+        for velocity in &particle.velocity[..plan.dimension] {
+            numbers.push(("a velocity of the inflow", *velocity));
+        }
+    }
+    check_numbers::<S>(&numbers, scalar)
+}

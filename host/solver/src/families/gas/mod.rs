@@ -1,0 +1,16 @@
+//! Gas dynamics.
+
+mod description;
+mod exact;
+mod limits;
+mod memory;
+mod opening;
+mod plan;
+mod planning;
+mod simulation;
+
+pub use exact::{ExactError, ExactSolution, FIELDS};
+pub use memory::{GasArrays, OptionsArrays, PlainArrays};
+pub use opening::{Incoming, OpenSides, OpenZone};
+pub use plan::Plan;
+pub(super) use simulation::start;

@@ -1,0 +1,357 @@
+//! From a scenario to a plan: solver units, and the particles in them.
+
+use motes_core::cutoff::CutOff;
+use motes_core::domain::{Axis, Side};
+use motes_core::equation::gas::{
+    Diffusion, EnergyForm, Options, Particle, Plain, Stretch, Switch, Weights, Width,
+};
+
+use super::opening::OpenSides;
+use super::plan::Plan;
+use crate::families::PlanError;
+use crate::run::{Abscissa, check_memory};
+use crate::scenario::{
+    self, Arrangement, EnergyRule, EquationOfState, Exact, Profile, Scenario, Share, ViscosityKind,
+};
+use crate::setup::{self, Placed};
+use crate::sums::compensated;
+use crate::units::SolverUnits;
+
+impl Plan {
+    /// Refuses more particles than can be counted or fit into memory, before any is placed.
+    ///
+    /// # Errors
+    /// [`PlanError::Setup`] or [`PlanError::Memory`].
+    pub fn check_size(scenario: &Scenario) -> Result<(), PlanError> {
+        setup::check_count(scenario)?;
+        let particles = scenario.resolution.particles;
+        let each = size_of::<Placed>() + size_of::<Particle<f64, 3>>();
+        check_memory(particles, each).map_err(PlanError::Memory)
+    }
+
+    /// Plans a run.
+    ///
+    /// # Errors
+    /// What [`PlanError`] lists.
+    pub fn new(scenario: &Scenario) -> Result<Self, PlanError> {
+        Self::check_size(scenario)?;
+        let placed = setup::particles(scenario)?;
+        let units = units(scenario, &placed);
+        check_units(&units)?;
+        check_reach(scenario, units.length)?;
+        let middle = std::array::from_fn(|i| {
+            let bounds = bounds(scenario, i);
+            0.5 * (bounds[0] + bounds[1])
+        });
+        let frame = Frame {
+            scenario,
+            units,
+            middle,
+        };
+        let stretches = frame.stretches(&placed);
+        let particles: Vec<_> = match &stretches {
+            Some(stretches) => frame.of_stretches(stretches),
+            None => placed.iter().map(|placed| frame.particle(placed)).collect(),
+        };
+        let cut_off = scenario.cut_off.shape;
+        let support = f64::from(cut_off.support());
+        Ok(Self {
+            dimension: scenario.dimension,
+            units,
+            middle,
+            axes: frame.axes(),
+            opening: OpenSides::new(scenario, &units, &frame.axes(), support, &particles),
+            particles,
+            stretches,
+            materials: scenario
+                .materials
+                .iter()
+                .map(|material| frame.material(&material.law))
+                .collect(),
+            cut_off,
+            width: frame.width(),
+            viscosity: scenario.viscosity,
+            options: frame.options(),
+            end: scenario.time.end / units.time(),
+            courant: scenario.time.courant,
+            abscissa: abscissa(scenario),
+        })
+    }
+}
+
+/// The bounds of the domain along one direction; 0 beyond the dimension.
+fn bounds(scenario: &Scenario, axis: usize) -> [f64; 2] {
+    let extent = &scenario.domain.extent;
+    let at = |corner: &[f64]| corner.get(axis).copied().unwrap_or(0.0);
+    [at(&extent.lower), at(&extent.upper)]
+}
+
+/// The direction in which a solution varies; the distance from its centre where it is round.
+fn abscissa(scenario: &Scenario) -> Abscissa {
+    if scenario.dimension == 1 {
+        return Abscissa::Along(0);
+    }
+    let spread = |at: &[f64]| std::array::from_fn(|i| at.get(i).copied().unwrap_or(0.0));
+    match (scenario.output.exact, &scenario.profile) {
+        (Some(Exact::Sedov), _) => Abscissa::From(spread(&scenario.deposits[0].ball.center)),
+        (_, Some(Profile::Noh { .. })) => Abscissa::From([0.0; 3]),
+        (_, Some(Profile::YeeVortex { velocity, .. } | Profile::Gresho { velocity, .. }))
+            if velocity.iter().all(|&u| u == 0.0) =>
+        {
+            Abscissa::From([0.0; 3])
+        }
+        _ => Abscissa::Along(scenario.riemann_direction().unwrap_or(0)),
+    }
+}
+
+/// Spacing, mass and speed of which everything is counted: the mean spacing, the mean mass,
+/// and the largest speed of sound or gas at the start or coming in.
+fn units(scenario: &Scenario, placed: &[Placed]) -> SolverUnits {
+    let count = placed.len().max(1) as f64;
+    let volume = compensated(placed.iter().map(|p| p.mass / p.density));
+    let spacing = match scenario.dimension {
+        1 => (bounds(scenario, 0)[1] - bounds(scenario, 0)[0]) / count,
+        2 => (volume / count).sqrt(),
+        _ => libm::cbrt(volume / count),
+    };
+    let speed = |p: &Placed| {
+        let law = &scenario.materials[usize::from(p.material)].law;
+        let squares = p.velocity.iter().map(|u| u * u).sum::<f64>();
+        squares.max(law.sound_speed_squared(p.density, p.energy))
+    };
+    let incoming = scenario.inflow.as_ref().map_or(0.0, |inflow| {
+        let law = &scenario.materials[inflow.material].law;
+        let energy = law.energy(inflow.density, inflow.pressure);
+        let squares = inflow.velocity.iter().map(|u| u * u).sum::<f64>();
+        squares.max(law.sound_speed_squared(inflow.density, energy))
+    });
+    SolverUnits {
+        length: spacing,
+        mass: compensated(placed.iter().map(|p| p.mass)) / count,
+        velocity: placed.iter().map(speed).fold(incoming, f64::max).sqrt(),
+        dimension: scenario.dimension as i32,
+    }
+}
+
+/// A scenario seen in solver units.
+struct Frame<'a> {
+    scenario: &'a Scenario,
+    units: SolverUnits,
+    middle: [f64; 3],
+}
+
+impl Frame<'_> {
+    /// ε in local spacings; 1 where it is given as a length.
+    fn eta(&self) -> f64 {
+        self.scenario.cut_off.width.spacings(self.units.length)
+    }
+
+    fn axes(&self) -> [Axis<f64>; 3] {
+        std::array::from_fn(|i| {
+            let bounds = bounds(self.scenario, i);
+            let half = 0.5 * (bounds[1] - bounds[0]) / self.units.length;
+            let sides = self.scenario.domain.sides.get(i);
+            Axis {
+                lower: -half,
+                upper: half,
+                sides: sides.map_or([Side::Free; 2], |sides| {
+                    sides.map(|side| match side {
+                        scenario::Side::Free => Side::Free,
+                        scenario::Side::Periodic => Side::Periodic,
+                        scenario::Side::Mirror => Side::Mirror,
+                        scenario::Side::Inflow => Side::Inflow,
+                        scenario::Side::Outflow => Side::Outflow,
+                    })
+                }),
+            }
+        })
+    }
+
+    fn width(&self) -> Width<f64> {
+        match self.scenario.cut_off.width {
+            scenario::Width::Adaptive { .. } => Width::Adaptive { eta: self.eta() },
+            scenario::Width::Constant { epsilon } => Width::Constant {
+                epsilon: epsilon / self.units.length,
+            },
+        }
+    }
+
+    fn options(&self) -> Options<f64, 3> {
+        let scenario = self.scenario;
+        let (viscosity, units) = (&scenario.viscosity, &self.units);
+        let diffusivity = units.length * units.velocity;
+        let acceleration = units.velocity / units.time();
+        Options {
+            plain: Plain {
+                weights: match scenario.weights {
+                    scenario::Weights::Mass => Weights::Mass,
+                    scenario::Weights::Number => Weights::Number,
+                },
+                acceleration: std::array::from_fn(|i| {
+                    let component = scenario.acceleration.get(i).copied();
+                    component.unwrap_or(0.0) / acceleration
+                }),
+            },
+            energy: match scenario.time.energy {
+                EnergyRule::LeapFrog => EnergyForm::LeapFrog,
+                EnergyRule::Exact => EnergyForm::Exact,
+                EnergyRule::Total => EnergyForm::Total,
+            },
+            limited: viscosity.kind == ViscosityKind::Limited,
+            switch: viscosity.switch.map(|switch| Switch {
+                // The core's factor multiplies alpha, the scenario's minimum is an alpha.
+                minimum: if viscosity.alpha > 0.0 {
+                    switch.minimum / viscosity.alpha
+                } else {
+                    0.0
+                },
+                decay: switch.decay,
+            }),
+            balsara: viscosity.balsara,
+            conduction: scenario.conduction,
+            diffusion: Diffusion {
+                viscosity: scenario.diffusion.viscosity / diffusivity,
+                heat: scenario.diffusion.heat / diffusivity,
+            },
+        }
+    }
+
+    fn material(&self, law: &EquationOfState) -> EquationOfState {
+        let pressure = self.units.density() * self.units.energy();
+        match *law {
+            EquationOfState::IdealGas { gamma } => EquationOfState::IdealGas { gamma },
+            EquationOfState::StiffenedGas {
+                gamma,
+                pressure_at_infinity,
+            } => EquationOfState::StiffenedGas {
+                gamma,
+                pressure_at_infinity: pressure_at_infinity / pressure,
+            },
+            EquationOfState::Isothermal { sound_speed } => EquationOfState::Isothermal {
+                sound_speed: sound_speed / self.units.velocity,
+            },
+            EquationOfState::Tait {
+                density,
+                sound_speed,
+                exponent,
+            } => EquationOfState::Tait {
+                density: density / self.units.density(),
+                sound_speed: sound_speed / self.units.velocity,
+                exponent,
+            },
+        }
+    }
+
+    fn particle(&self, placed: &Placed) -> Particle<f64, 3> {
+        let units = &self.units;
+        let volume = placed.mass / placed.density;
+        let spacing = match units.dimension {
+            1 => volume,
+            2 => volume.sqrt(),
+            _ => libm::cbrt(volume),
+        };
+        Particle {
+            position: std::array::from_fn(|i| (placed.position[i] - self.middle[i]) / units.length),
+            velocity: placed.velocity.map(|component| component / units.velocity),
+            mass: placed.mass / units.mass,
+            energy: placed.energy / units.energy(),
+            epsilon: self.eta() * (spacing / units.length),
+            material: placed.material,
+        }
+    }
+
+    /// The stretches that the particles fill, where regions in one dimension are filled evenly
+    /// with particles of equal mass: what a device can be given in a few numbers.
+    fn stretches(&self, placed: &[Placed]) -> Option<Vec<Stretch>> {
+        let scenario = self.scenario;
+        let resolution = &scenario.resolution;
+        let even = scenario.dimension == 1
+            && resolution.arrangement == Arrangement::EqualMass
+            && resolution.share == Share::Mass
+            && resolution.jitter == 0.0
+            && scenario.profile.is_none()
+            && scenario.deposits.is_empty()
+            && scenario.materials.len() == 1
+            && scenario.regions.iter().all(|region| region.ball.is_none());
+        if !even {
+            return None;
+        }
+        let units = &self.units;
+        let stretches = scenario.regions.iter().filter_map(|region| {
+            let (lower, upper) = (region.extent.lower[0], region.extent.upper[0]);
+            let inside = |p: &&Placed| (lower..upper).contains(&p.position[0]);
+            let count = placed.iter().filter(inside).count();
+            let first = placed.iter().find(inside)?;
+            let mass = region.density * (upper - lower) / count as f64;
+            Some(Stretch {
+                lower: (lower - self.middle[0]) / units.length,
+                upper: (upper - self.middle[0]) / units.length,
+                particles: count as u32,
+                mass: mass / units.mass,
+                velocity: region.velocity[0] / units.velocity,
+                energy: first.energy / units.energy(),
+            })
+        });
+        Some(stretches.collect())
+    }
+
+    /// The particles of stretches, as a device makes them.
+    fn of_stretches(&self, stretches: &[Stretch]) -> Vec<Particle<f64, 3>> {
+        let eta = self.eta();
+        let particles = stretches.iter().flat_map(|stretch| stretch.particles(eta));
+        particles
+            .map(|particle| Particle {
+                position: [particle.position[0], 0.0, 0.0],
+                velocity: [particle.velocity[0], 0.0, 0.0],
+                mass: particle.mass,
+                energy: particle.energy,
+                epsilon: particle.epsilon,
+                material: particle.material,
+            })
+            .collect()
+    }
+}
+
+/// Reaches in spacings between which a density sum makes sense: one neighbour on either side
+/// with room to move, and no more than a solver wants to look at.
+const REACH: [f64; 2] = [1.5, 40.0];
+
+/// Refuses an η with which particles would see nobody, or everybody.
+fn check_reach(scenario: &Scenario, spacing: f64) -> Result<(), PlanError> {
+    if let scenario::Width::Constant { .. } = scenario.cut_off.width {
+        return Ok(());
+    }
+    let eta = scenario.cut_off.width.spacings(spacing);
+    let cut_off = scenario.cut_off.shape;
+    let support = f64::from(cut_off.support());
+    let ([least, most], reach) = (REACH, eta * support);
+    if (least..=most).contains(&reach) {
+        return Ok(());
+    }
+    Err(PlanError::Reach {
+        eta,
+        cut_off: cut_off.name(),
+        support,
+        reach,
+        least,
+        most,
+    })
+}
+
+/// Refuses units that `f64` cannot hold with room around them.
+fn check_units(units: &SolverUnits) -> Result<(), PlanError> {
+    let sizes = [
+        ("length", units.length),
+        ("mass", units.mass),
+        ("velocity", units.velocity),
+        ("time", units.time()),
+        ("energy", units.energy()),
+    ];
+    match sizes
+        .into_iter()
+        .find(|(_, value)| !(1e-200..1e200).contains(value))
+    {
+        Some((unit, value)) => Err(PlanError::Extreme { unit, value }),
+        None => Ok(()),
+    }
+}

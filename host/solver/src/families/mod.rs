@@ -1,0 +1,117 @@
+//! The families of equations: from a scenario to a plan, from a plan to a simulation.
+//!
+//! | family | equations | from |
+//! |---|---|---|
+//! | [`gas`] | gas dynamics (3.7), (3.10)-(3.13) | a scenario without `[system]` |
+//! | `linear` | first-order systems (1.18) | `[system]` of any other kind |
+//! | [`diffusion`] | convection-diffusion (4.1) | `[system]` of kind `convection-diffusion` |
+//!
+//! The latter two solve for strengths on a cloud that follows a field: [`strengths`] holds what
+//! they share. [`start`] is the one table of everything that can be run.
+
+pub mod diffusion;
+mod error;
+pub mod gas;
+mod linear;
+pub mod strengths;
+mod table;
+
+use crate::exact::linear::error::SolutionError;
+use crate::exact::solution::Solution;
+use crate::run::{RECONSTRUCTION, STATE};
+use crate::scenario::AnyScenario;
+use crate::scenario::linear::{LinearScenario, System};
+pub use error::PlanError;
+pub use table::start;
+
+/// What a simulation is made of, in solver units, every number still an `f64`.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Plan {
+    /// A gas.
+    Gas(Box<gas::Plan>),
+    /// A linear system or convection-diffusion.
+    Strengths(Box<strengths::Plan>),
+}
+
+impl Plan {
+    /// The plan of a scenario.
+    ///
+    /// # Errors
+    /// What [`PlanError`] lists.
+    pub fn new(scenario: &AnyScenario) -> Result<Self, PlanError> {
+        Ok(match scenario {
+            AnyScenario::Gas(scenario) => Self::Gas(Box::new(gas::Plan::new(scenario)?)),
+            AnyScenario::Linear(scenario) => {
+                let start = || self::initial(scenario);
+                Self::Strengths(Box::new(strengths::Plan::new(scenario, start)?))
+            }
+        })
+    }
+
+    /// Refuses more particles than can be counted or fit into memory, before any is placed.
+    ///
+    /// # Errors
+    /// That.
+    pub fn check_size(scenario: &AnyScenario) -> Result<(), PlanError> {
+        match scenario {
+            AnyScenario::Gas(scenario) => gas::Plan::check_size(scenario),
+            AnyScenario::Linear(scenario) => Ok(strengths::Quadrature::check_size(scenario)?),
+        }
+    }
+}
+
+/// What the state at t = 0 is taken from; `None` where a file holds it.
+fn initial(scenario: &LinearScenario) -> Result<Option<Box<dyn Solution>>, SolutionError> {
+    match (&scenario.initial, &scenario.system) {
+        (Some(initial), System::ConvectionDiffusion(of)) => {
+            diffusion::start(scenario, of, initial).map(Some)
+        }
+        _ => linear::solution(scenario),
+    }
+}
+
+/// Why a scenario has no exact solution after all.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+pub enum NoSolution {
+    /// Of a gas.
+    #[error(transparent)]
+    Gas(#[from] gas::ExactError),
+    /// Of a linear system or convection-diffusion.
+    #[error("the exact solution does not exist: {0}")]
+    Strengths(#[from] SolutionError),
+}
+
+/// The exact solution that a scenario asks to be compared with, if it does.
+///
+/// # Errors
+/// Data that it does not exist for.
+pub fn solution(scenario: &AnyScenario) -> Result<Option<Box<dyn Solution>>, NoSolution> {
+    let scenario = match scenario {
+        AnyScenario::Gas(scenario) => {
+            let solution = gas::ExactSolution::of(scenario)?;
+            return Ok(solution.map(|solution| Box::new(solution) as Box<dyn Solution>));
+        }
+        AnyScenario::Linear(scenario) => scenario,
+    };
+    if !scenario.output.exact {
+        return Ok(None);
+    }
+    Ok(match (&scenario.initial, &scenario.system) {
+        (Some(initial), System::ConvectionDiffusion(of)) => {
+            Some(diffusion::solution(scenario, of, initial)?)
+        }
+        _ => linear::solution(scenario)?,
+    })
+}
+
+/// The names of what is compared with an exact solution.
+pub fn compared(scenario: &AnyScenario) -> Vec<String> {
+    match scenario {
+        AnyScenario::Gas(_) => gas::FIELDS.map(String::from).to_vec(),
+        AnyScenario::Linear(scenario) => {
+            let mut names = scenario.system.names(scenario.dimension);
+            names.extend([STATE, RECONSTRUCTION].map(String::from));
+            names
+        }
+    }
+}

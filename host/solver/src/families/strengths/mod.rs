@@ -1,0 +1,21 @@
+//! Clouds of strengths: what linear systems and convection-diffusion share. The plan, the memory
+//! and the simulation of both, over a [`Solver`] of either.
+
+mod description;
+mod doubts;
+mod field;
+mod geometry;
+mod growth;
+mod memory;
+mod plan;
+mod quadrature;
+mod simulation;
+mod solver;
+
+pub(super) use field::PlannedField;
+pub(super) use geometry::{flow, length, periods, spread, wave_vector};
+pub(super) use memory::CloudArrays;
+pub use plan::Plan;
+pub use quadrature::{Quadrature, QuadratureError};
+pub(super) use simulation::start;
+pub(super) use solver::Solver;

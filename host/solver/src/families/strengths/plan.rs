@@ -1,0 +1,343 @@
+//! What the solver needs of a run, in solver units, every number still an `f64`.
+//!
+//! The mean spacing and the fastest of waves, flows and particles are 1, and the middle of the
+//! domain is 0. Values stay what they are.
+
+use motes_core::cutoff::Named;
+use motes_core::domain::{Axis, Domain, Side};
+use motes_core::equation::linear::NamedField;
+use motes_core::equation::linear::Particle;
+use motes_core::equation::linear::systems::Units;
+use motes_core::integrator::{RK4, RungeKutta, SSP_RK3};
+use motes_core::scalar::Scalar;
+
+use super::doubts::doubts;
+use super::field::PlannedField;
+use super::quadrature::Quadrature;
+use crate::exact::linear::error::SolutionError;
+use crate::exact::solution::Solution;
+use crate::families::PlanError;
+use crate::run::{RunError, check_memory, check_numbers};
+use crate::scenario;
+use crate::scenario::linear::{Field, LinearScenario, Method, Reaction, System};
+use crate::symmetriser::Symmetriser;
+
+/// A run of a linear system in solver units. Vectors have three components; those beyond the
+/// dimension mean nothing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// 1, 2 or 3.
+    pub dimension: usize,
+    /// What the solver units are, in the scenario's.
+    pub units: Units,
+    /// The middle of the domain, in the scenario's units: 0 for the solver.
+    pub middle: [f64; 3],
+    /// The domain.
+    pub axes: [Axis<f64>; 3],
+    /// What the components are called.
+    pub names: Vec<String>,
+    /// `x_k` at the start.
+    pub positions: Vec<[f64; 3]>,
+    /// `w_k` at the start.
+    pub weights: Vec<f64>,
+    /// `u_k` at the start, one after the other.
+    pub values: Vec<f64>,
+    /// The equations, in the scenario's units.
+    pub system: System,
+    /// The symmetriser, where the equations are given as matrices.
+    pub symmetriser: Option<Symmetriser>,
+    /// What the particles follow.
+    pub(in crate::families) field: PlannedField,
+    /// The cut-off.
+    pub cut_off: Named,
+    /// Its width.
+    pub epsilon: f64,
+    /// The time integrator.
+    pub method: Method,
+    /// For how many stages a step of the stabilised method is made.
+    pub stages: u32,
+    /// Factor of the stable time step.
+    pub courant: f64,
+    /// The time step, if it is given.
+    pub step: Option<f64>,
+    /// Duration.
+    pub end: f64,
+    /// The part by which the energy norm may exceed its bound.
+    pub growth_margin: f64,
+    /// Duration in the scenario's units.
+    pub duration: f64,
+    /// A power of two of the size of the largest value at the start; 1 where all are 0.
+    pub amplitude: f64,
+    /// Whether neighbours are counted after every step: snapshots show them.
+    pub counts_always: bool,
+    /// Whether the sums of the strengths are conserved: no losses, no sources, no walls.
+    pub is_conserving: bool,
+    /// Why the results may not mean what they say.
+    pub doubts: Vec<String>,
+}
+
+impl Plan {
+    /// The plan of a scenario whose state at t = 0 is that of a solution, if it has one.
+    ///
+    /// # Errors
+    /// Particles that cannot be made, an initial state that does not exist, matrices of a system
+    /// that is not symmetrisable.
+    pub(in crate::families) fn new(
+        scenario: &LinearScenario,
+        start: impl FnOnce() -> Result<Option<Box<dyn Solution>>, SolutionError>,
+    ) -> Result<Self, PlanError> {
+        let dimension = scenario.dimension;
+        let components = scenario.system.components(dimension);
+        // Before the particles are made: 3 vectors and, with registers, 12 values each at the least.
+        check_memory(scenario.resolution.particles, 200 + 100 * components)?;
+        let quadrature = Quadrature::of(scenario)?;
+        let count = quadrature.weights.len();
+        let values = match (start()?, quadrature.values) {
+            (Some(solution), _) => {
+                let mut values = vec![0.0; count * solution.components()];
+                let rows = values.chunks_exact_mut(solution.components());
+                for (row, &position) in rows.zip(&quadrature.positions) {
+                    solution.write(position, 0.0, row);
+                }
+                values
+            }
+            (None, values) => values.unwrap_or_default(),
+        };
+        let amplitude = amplitude(&values);
+        let symmetriser = match &scenario.system {
+            System::Matrices { flux, .. } => Some(Symmetriser::of(flux)?),
+            _ => None,
+        };
+        let volume: f64 = scenario.domain.extent.volume();
+        let spacing = libm::pow(volume / count as f64, 1.0 / dimension as f64);
+        let units = Units {
+            length: spacing,
+            velocity: velocity(
+                scenario,
+                symmetriser.as_ref(),
+                &quadrature.positions,
+                spacing,
+            ),
+        };
+        let time = units.length / units.velocity;
+        let middle = std::array::from_fn(|i| scenario.domain.extent.middle(i));
+        let solver_place = |x: &[f64; 3]| std::array::from_fn(|i| (x[i] - middle[i]) / spacing);
+        let cell = spacing.powi(dimension as i32);
+        Ok(Self {
+            dimension,
+            units,
+            middle,
+            axes: std::array::from_fn(|i| axis(scenario, i, spacing)),
+            names: scenario.system.names(dimension),
+            positions: quadrature.positions.iter().map(solver_place).collect(),
+            weights: quadrature.weights.iter().map(|w| w / cell).collect(),
+            values,
+            system: scenario.system.clone(),
+            symmetriser,
+            field: PlannedField {
+                field: scenario.motion.clone(),
+                extent: scenario.domain.extent.clone(),
+                units,
+            },
+            cut_off: scenario.cut_off.shape,
+            epsilon: scenario.cut_off.width.epsilon(spacing) / spacing,
+            method: scenario.time.method,
+            stages: scenario.time.stages as u32,
+            courant: scenario.time.courant,
+            step: scenario.time.step.map(|step| step / time),
+            end: scenario.time.end / time,
+            duration: scenario.time.end,
+            amplitude,
+            counts_always: scenario.output.snapshots.is_some(),
+            growth_margin: scenario.time.growth_margin,
+            is_conserving: is_conserving(scenario),
+            doubts: doubts(scenario, spacing, &quadrature.weights),
+        })
+    }
+
+    /// ε in the scenario's unit of length.
+    pub fn width(&self) -> f64 {
+        self.epsilon * self.units.length
+    }
+
+    /// The unit of time in the scenario's units.
+    pub fn unit_of_time(&self) -> f64 {
+        self.units.length / self.units.velocity
+    }
+
+    /// The unit of weight, a volume, in the scenario's units.
+    pub fn unit_of_volume(&self) -> f64 {
+        self.units.length.powi(self.dimension as i32)
+    }
+
+    /// What the particles follow, in solver units.
+    pub fn motion<S: Scalar, const D: usize>(&self) -> NamedField<S, D> {
+        self.field.named()
+    }
+
+    /// Its Runge-Kutta method; the classical one where it has none.
+    pub fn runge_kutta(&self) -> RungeKutta {
+        match self.method {
+            Method::SspRk3 => SSP_RK3,
+            Method::Rk4 | Method::Rkl2 => RK4,
+        }
+    }
+
+    /// The domain, in the scalar and dimension of the run.
+    pub(in crate::families) fn domain<S: Scalar, const D: usize>(&self) -> Domain<S, D> {
+        Domain {
+            axes: std::array::from_fn(|i| Axis {
+                lower: S::from_f64(self.axes[i].lower),
+                upper: S::from_f64(self.axes[i].upper),
+                sides: self.axes[i].sides,
+            }),
+        }
+    }
+
+    /// The same; the plan has none then.
+    pub(in crate::families) fn take_particles<S: Scalar, const D: usize, const P: usize>(
+        &mut self,
+    ) -> impl Iterator<Item = Particle<S, D, P>> + use<S, D, P> {
+        let components = self.names.len();
+        let values = std::mem::take(&mut self.values);
+        let positions = std::mem::take(&mut self.positions).into_iter();
+        let places = positions.zip(std::mem::take(&mut self.weights));
+        places.enumerate().map(move |(id, (x, w))| {
+            particle(x, w, &values[id * components..(id + 1) * components])
+        })
+    }
+
+    /// The particles, in the scalar and dimension of the run, with zeros for components beyond
+    /// those of the plan.
+    pub fn particles<S: Scalar, const D: usize, const P: usize>(
+        &self,
+    ) -> impl Iterator<Item = Particle<S, D, P>> {
+        let values = self.values.chunks_exact(self.names.len());
+        let places = self.positions.iter().zip(&self.weights);
+        places.zip(values).map(|((&x, &w), u)| particle(x, w, u))
+    }
+
+    /// Refuses numbers that the format cannot hold to 1 %.
+    pub(super) fn check_format<S: Scalar>(&self, scalar: &str) -> Result<(), RunError> {
+        let largest = |values: &[f64]| values.iter().map(|u| u.abs()).fold(0.0, f64::max);
+        let mut numbers = vec![
+            ("epsilon", self.epsilon),
+            ("the duration", self.end),
+            ("courant", self.courant),
+            ("the number of particles", self.weights.len() as f64),
+            ("a weight", largest(&self.weights)),
+            ("a value", largest(&self.values)),
+            ("what drives a wall", self.largest_drive()),
+        ];
+        numbers.extend(self.step.map(|step| ("the time step", step)));
+        for axis in &self.axes[..self.dimension] {
+            numbers.push(("the length of the domain", axis.upper - axis.lower));
+        }
+        check_numbers::<S>(&numbers, scalar)
+    }
+}
+
+/// A particle, in the scalar and dimension of the run.
+fn particle<S: Scalar, const D: usize, const P: usize>(
+    x: [f64; 3],
+    w: f64,
+    u: &[f64],
+) -> Particle<S, D, P> {
+    Particle {
+        position: std::array::from_fn(|i| S::from_f64(x[i])),
+        weight: S::from_f64(w),
+        value: std::array::from_fn(|i| u.get(i).map_or(S::ZERO, |&u| S::from_f64(u))),
+    }
+}
+
+/// The most units of time that diffusion is given.
+const LONGEST: f64 = 1024.0;
+
+/// The power of two below the largest of some values; 1 where all are 0.
+fn amplitude(values: &[f64]) -> f64 {
+    let largest = values.iter().map(|u| u.abs()).fold(0.0, f64::max);
+    if largest > 0.0 {
+        libm::exp2(libm::floor(libm::log2(largest)))
+    } else {
+        1.0
+    }
+}
+
+/// One direction of the domain.
+fn axis(scenario: &LinearScenario, i: usize, spacing: f64) -> Axis<f64> {
+    let Some(sides) = scenario.domain.sides.get(i) else {
+        return Axis::FREE;
+    };
+    let extent = &scenario.domain.extent;
+    let half = 0.5 * (extent.upper[i] - extent.lower[i]) / spacing;
+    Axis {
+        lower: -half,
+        upper: half,
+        sides: sides.map(|side| match side {
+            scenario::Side::Periodic => Side::Periodic,
+            scenario::Side::Mirror => Side::Mirror,
+            _ => Side::Free,
+        }),
+    }
+}
+
+/// The fastest of waves, flows and particles at the start; 1 where nothing moves.
+fn velocity(
+    scenario: &LinearScenario,
+    symmetriser: Option<&Symmetriser>,
+    positions: &[[f64; 3]],
+    spacing: f64,
+) -> f64 {
+    let waves = scenario.system.wave_speed();
+    let waves = symmetriser.map_or(waves, |symmetriser| symmetriser.speed);
+    let flow = match &scenario.system {
+        System::Transport { velocity, .. } => Some(velocity),
+        _ => None,
+    };
+    let fastest = |field: &Field| {
+        let planned = PlannedField {
+            field: field.clone(),
+            extent: scenario.domain.extent.clone(),
+            units: Units::ONE,
+        };
+        planned.fastest(positions)
+    };
+    let flow = flow.map_or(0.0, fastest);
+    let fastest = waves.max(flow).max(fastest(&scenario.motion));
+    let fastest = match &scenario.system {
+        System::ConvectionDiffusion(problem) => {
+            let largest = problem.diffusivity.iter().copied().fold(0.0, f64::max);
+            let conducted = largest * problem.profile.largest() / spacing;
+            // Diffusion over many spacings takes many times spacing^2/b: no format need count them.
+            fastest
+                .max(conducted)
+                .min(LONGEST * spacing / scenario.time.end)
+        }
+        _ => fastest,
+    };
+    if fastest > 0.0 { fastest } else { 1.0 }
+}
+
+/// Whether nothing changes the sums of the strengths.
+fn is_conserving(scenario: &LinearScenario) -> bool {
+    if let System::ConvectionDiffusion(problem) = &scenario.system {
+        return problem.reaction == Reaction::None && problem.is_closed();
+    }
+    let sides = scenario.domain.sides.iter().flatten();
+    let walls = sides
+        .filter(|&&side| side == scenario::Side::Mirror)
+        .count()
+        > 0;
+    let calm = match &scenario.system {
+        System::Transport { decay, source, .. } => *decay == 0.0 && *source == 0.0,
+        System::Telegraph {
+            resistance,
+            conductance,
+            ..
+        } => *resistance == 0.0 && *conductance == 0.0,
+        System::ShallowWater { coriolis, .. } => *coriolis == 0.0,
+        System::Matrices { decay, .. } => decay.iter().all(|&a| a == 0.0),
+        _ => true,
+    };
+    calm && !walls
+}

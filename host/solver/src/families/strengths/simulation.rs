@@ -1,0 +1,367 @@
+//! A cloud of strengths that is stepped.
+
+use std::sync::Arc;
+
+use motes_core::digest::Digest;
+use motes_core::equation::linear::Place;
+use motes_core::error::Error;
+use motes_core::integrator::Clock;
+use motes_core::scalar::Scalar;
+
+use super::description::description;
+use super::doubts::undamped;
+use super::growth::Monitor;
+use super::memory::CloudArrays;
+use super::plan::Plan;
+use super::solver::Solver;
+use crate::engine::{Holder, HostScalar, Threads};
+use crate::run::{
+    Description, EnergyNorm, Measures, Outcome, Particulars, Row, RunError, Simulation, Spread,
+    Step, Sum, check_memory, check_step,
+};
+use crate::sums::compensated;
+
+/// A cloud in the memory of a server. `P` may exceed the components of the plan: those beyond
+/// stay 0.
+struct Strengths<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usize> {
+    /// Without its particles.
+    plan: Arc<Plan>,
+    solver: V,
+    memory: V::Memory,
+    clock: Clock<S>,
+    /// The step that is asked for.
+    given: Option<S>,
+    monitor: Monitor,
+    holder: Holder,
+    description: Description,
+}
+
+/// A cloud at its start.
+///
+/// # Errors
+/// Numbers that the scalar cannot hold, too little memory, and what the solver finds.
+pub(in crate::families) fn start<S, V, const D: usize, const P: usize>(
+    mut plan: Plan,
+    solver: impl FnOnce(&Arc<Plan>) -> V,
+    scalar: &str,
+    engine: &mut Threads,
+) -> Result<Box<dyn Simulation>, RunError>
+where
+    S: HostScalar,
+    V: Solver<S, D, P> + 'static,
+{
+    check_memory(plan.weights.len(), V::BYTES)?;
+    plan.check_format::<S>(scalar)?;
+    let description = description(&plan);
+    let particles = plan.take_particles();
+    let plan = Arc::new(plan);
+    let solver = solver(&plan);
+    let mut simulation = Strengths {
+        memory: solver.memory(particles),
+        clock: Clock::new(S::from_f64(plan.end)),
+        given: plan.step.map(S::from_f64),
+        monitor: Monitor::new(None, 0, 0.0, 0.0),
+        holder: Holder::new(),
+        plan,
+        solver,
+        description,
+    };
+    simulation.prepare(engine)?;
+    Ok(Box::new(simulation))
+}
+
+impl<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usize> Strengths<S, V, D, P> {
+    fn cloud(&self) -> &CloudArrays<S, D, P> {
+        V::cloud(&self.memory)
+    }
+
+    fn prepare(&mut self, engine: &mut Threads) -> Result<(), RunError> {
+        engine.serve(&self.holder);
+        let failed = self.failed();
+        self.solver
+            .prepare(engine, &mut self.memory)
+            .map_err(failed)?;
+        let rate = self.solver.growth();
+        let rate = rate.map(|rate| rate / self.plan.unit_of_time());
+        let (order, margin) = (self.solver.order(), self.plan.growth_margin);
+        self.monitor = Monitor::new(rate, order, margin, self.norm());
+        Ok(())
+    }
+
+    /// The step that is asked for, or the one that the solver makes.
+    fn time_step(&mut self, left: S) -> Result<S, RunError> {
+        let time = self.clock.time;
+        let Some(step) = self.given else {
+            let failed = self.failed();
+            return self
+                .solver
+                .time_step(&mut self.memory, time, left)
+                .map_err(failed);
+        };
+        let unit = self.plan.unit_of_time();
+        match self.solver.stable_step(&mut self.memory, time) {
+            Some(limit) if !(step <= limit) => Err(RunError::Step {
+                step: step.to_f64() * unit,
+                limit: limit.to_f64() * unit,
+                time: self.time(),
+            }),
+            _ => Ok(Scalar::lesser(step, left)),
+        }
+    }
+
+    /// What an error of the solver is from here.
+    fn failed(&self) -> impl Fn(Error) -> RunError + Copy + use<S, V, D, P> {
+        let (time, step) = (self.time(), self.clock.steps);
+        let (spacings, epsilon) = (self.plan.epsilon, self.plan.width());
+        move |error| {
+            let is_narrow = matches!(
+                error,
+                Error::Isolated { .. }
+                    | Error::PeriodTooShort { .. }
+                    | Error::WallsTooNear { .. }
+                    | Error::Range
+            );
+            match is_narrow && step == 0 {
+                true => RunError::Width {
+                    spacings,
+                    epsilon,
+                    error,
+                },
+                false => RunError::Solver { time, step, error },
+            }
+        }
+    }
+
+    fn count(&mut self, engine: &mut Threads) -> Result<(), RunError> {
+        let failed = self.failed();
+        let counted = self
+            .solver
+            .count_neighbours(engine, &mut self.memory, self.clock.time);
+        counted.map_err(failed)
+    }
+
+    /// `(Σ w u·Pu)^(1/2)`, weights in the scenario's units.
+    fn norm(&self) -> f64 {
+        self.norm_of(|_, u| *u)
+    }
+
+    /// The same of the source, per time of the scenario's units.
+    fn source_norm(&self) -> f64 {
+        self.norm_of(|place, _| self.solver.source(place)) / self.plan.unit_of_time()
+    }
+
+    fn norm_of(&self, of: impl Fn(&Place<S, D>, &[S; P]) -> [S; P]) -> f64 {
+        let (cloud, time) = (self.cloud(), self.clock.time);
+        // Values of size 1 have squares in every format.
+        let size = self.plan.amplitude;
+        let rows = cloud.position.iter().zip(&cloud.weight).zip(&cloud.value);
+        let terms = rows.map(|((&position, w), u)| {
+            let place = Place { position, time };
+            let u = of(&place, u).map(|u| S::from_f64(u.to_f64() / size));
+            w.to_f64() * self.solver.energy_density(&place, &u).to_f64()
+        });
+        let squared = compensated(terms) * self.plan.unit_of_volume();
+        // Rounding may leave less than nothing of nothing; what is no number stays none.
+        if squared < 0.0 {
+            0.0
+        } else {
+            size * squared.sqrt()
+        }
+    }
+
+    /// `Σ_k q_k` of a component, in the scenario's units.
+    fn total(&self, component: usize) -> f64 {
+        let volume = self.plan.unit_of_volume();
+        let strengths = self.cloud().strength.iter().map(|q| q[component]);
+        // A sum of rounded numbers would move where the exact one does not.
+        if S::HAS_EXACT_SUMS {
+            let nothing = S::product(S::ZERO, S::ZERO);
+            return volume * S::wide_to_f64(strengths.fold(nothing, S::wide_sum));
+        }
+        volume * compensated(strengths.map(S::wide_to_f64))
+    }
+
+    /// `Σ_k |q_k|` likewise.
+    fn size(&self, component: usize) -> f64 {
+        let strengths = self.cloud().strength.iter();
+        let sizes = strengths.map(|q| S::rounded(q[component]).to_f64().abs());
+        self.plan.unit_of_volume() * compensated(sizes)
+    }
+}
+
+impl<S, V, const D: usize, const P: usize> Simulation for Strengths<S, V, D, P>
+where
+    S: HostScalar,
+    V: Solver<S, D, P>,
+{
+    fn description(&self) -> &Description {
+        &self.description
+    }
+
+    /// At the end that of the scenario, not as rounded.
+    fn time(&self) -> f64 {
+        if self.is_over() {
+            return self.plan.duration;
+        }
+        self.clock.time.to_f64() * self.plan.unit_of_time()
+    }
+    fn steps(&self) -> u64 {
+        self.clock.steps
+    }
+    fn done(&self) -> f64 {
+        self.clock.time.to_f64() / self.clock.end.to_f64()
+    }
+    fn is_over(&self) -> bool {
+        self.clock.time == self.clock.end
+    }
+
+    fn step(&mut self, engine: &mut Threads) -> Result<Option<Step>, RunError> {
+        let Some(left) = self.clock.left() else {
+            return Ok(None);
+        };
+        engine.serve(&self.holder);
+        let failed = self.failed();
+        let dt = self.time_step(left)?;
+        let unit = self.plan.unit_of_time();
+        check_step((self.time(), unit), dt, left)?;
+        let source = self.source_norm();
+        let step = (self.clock.time, dt);
+        let made = self.solver.advance(engine, &mut self.memory, step);
+        let evaluations = made.map_err(failed)?;
+        self.clock.tick(dt).map_err(failed)?;
+        let length = dt.to_f64() * unit;
+        let (time, norm) = (self.time(), self.norm());
+        self.monitor.step(time, length, source, norm)?;
+        if self.plan.counts_always {
+            self.count(engine)?;
+        }
+        Ok(Some(Step {
+            length,
+            is_whole: true,
+            evaluations,
+        }))
+    }
+
+    fn observe(&mut self, engine: &mut Threads) -> Result<(), RunError> {
+        match self.plan.counts_always {
+            true => Ok(()),
+            false => {
+                engine.serve(&self.holder);
+                self.count(engine)
+            }
+        }
+    }
+
+    fn places(&self) -> usize {
+        self.cloud().weight.len()
+    }
+
+    fn show(&self, place: usize, row: &mut Row) -> bool {
+        let (cloud, plan) = (self.cloud(), &self.plan);
+        row.position = std::array::from_fn(|i| match cloud.position[place].get(i) {
+            Some(x) => plan.middle[i] + x.to_f64() * plan.units.length,
+            None => 0.0,
+        });
+        row.volume = cloud.weight[place].to_f64() * plan.unit_of_volume();
+        row.values.clear();
+        row.values.extend(&row.position[..D]);
+        row.values.push(row.volume);
+        let values = &cloud.value[place][..plan.names.len()];
+        row.values.extend(values.iter().map(|u| u.to_f64()));
+        row.values.push(cloud.neighbours[place].to_f64());
+        true
+    }
+
+    fn measures(&self) -> Measures {
+        let components = 0..self.plan.names.len();
+        let sum = |component: usize| Sum {
+            value: vec![self.total(component)],
+            size: self.size(component),
+        };
+        let sums: Vec<Sum> = components.clone().map(sum).collect();
+        let spread = |component: usize| {
+            let values = self.cloud().value.iter();
+            Spread::of(values.map(|u| u[component].to_f64()))
+        };
+        let mut diagnostics = vec![self.norm(), self.monitor.bound()];
+        diagnostics.extend(sums.iter().map(|sum| sum.value[0]));
+        for Spread { min, mean, max } in components.map(spread).chain([self.neighbours()]) {
+            diagnostics.extend([min, mean, max]);
+        }
+        Measures { diagnostics, sums }
+    }
+
+    fn neighbours(&self) -> Spread {
+        Spread::of(self.cloud().neighbours.iter().map(|n| n.to_f64()))
+    }
+
+    fn width(&self) -> f64 {
+        self.plan.width()
+    }
+
+    fn digest(&mut self) -> Digest {
+        V::cloud_mut(&mut self.memory).parts().0.digest()
+    }
+
+    fn reconstruct(&mut self, points: Option<&[[f64; 3]]>) -> Result<Vec<f64>, RunError> {
+        let (plan, failed) = (Arc::clone(&self.plan), self.failed());
+        let points: Vec<[S; D]> = match points {
+            None => self.cloud().position.clone(),
+            Some(points) => {
+                let along = |x: &[f64; 3], i: usize| (x[i] - plan.middle[i]) / plan.units.length;
+                let place = |x| std::array::from_fn(|i| S::from_f64(along(x, i)));
+                points.iter().map(place).collect()
+            }
+        };
+        let mut values = vec![[S::ZERO; P]; points.len()];
+        let time = self.clock.time;
+        let made = self
+            .solver
+            .reconstruct(&mut self.memory, time, &points, &mut values);
+        made.map_err(failed)?;
+        let rows = values.iter().flat_map(|u| &u[..plan.names.len()]);
+        Ok(rows.map(|u| u.to_f64()).collect())
+    }
+
+    fn undamped(&mut self, engine: &mut Threads) -> Result<f64, RunError> {
+        engine.serve(&self.holder);
+        let failed = self.failed();
+        let part = self
+            .solver
+            .undamped(engine, &mut self.memory, self.clock.time);
+        part.map_err(failed)
+    }
+
+    fn doubts(&self, outcome: &Outcome) -> Vec<String> {
+        let blind = undamped(outcome.undamped);
+        self.plan.doubts.iter().cloned().chain(blind).collect()
+    }
+
+    fn warnings(&self, outcome: &Outcome) -> Vec<String> {
+        let least = outcome.neighbours.min;
+        let thin = (least < 2.0 && self.plan.epsilon > 0.0).then(|| {
+            format!(
+                "a particle has {least} neighbour(s): the cloud is too thin there; use a \
+                 larger epsilon (cut-off.eta)"
+            )
+        });
+        thin.into_iter().collect()
+    }
+
+    fn particulars(&self, outcome: &Outcome) -> Option<Particulars> {
+        let norms = outcome.series.of("energy_norm");
+        let last = |values: &[f64]| values.last().copied().unwrap_or(f64::NAN);
+        let bound = last(&outcome.series.of("energy_bound"));
+        Some(Particulars {
+            system: self.plan.system.name().to_owned(),
+            components: self.plan.names.clone(),
+            method: self.plan.method.name().to_owned(),
+            epsilon: self.plan.width(),
+            energy_norm: EnergyNorm {
+                first: norms.first().copied().unwrap_or(f64::NAN),
+                last: last(&norms),
+                bound: Some(bound).filter(|bound| bound.is_finite()),
+            },
+        })
+    }
+}

@@ -1,0 +1,142 @@
+//! Why a run cannot be, or did not end.
+
+use motes_core::error::Error;
+
+/// A run that did not reach its end.
+#[derive(Debug, thiserror::Error, miette::Diagnostic)]
+pub enum RunError {
+    /// The solver stopped.
+    #[error("at t = {time}, step {step}: {error}")]
+    Solver {
+        /// When, in the scenario's units.
+        time: f64,
+        /// In which step.
+        step: u64,
+        /// Why.
+        error: Error,
+    },
+    /// Who looked at the run stopped it.
+    #[error("at t = {time}: {reason}")]
+    Look {
+        /// When, in the scenario's units.
+        time: f64,
+        /// Why.
+        reason: String,
+    },
+    /// A number of the plan does not fit the scalar.
+    #[error("{what} is {value:.3e} in solver units, which `{scalar}` cannot hold to 1 %")]
+    #[diagnostic(help(
+        "{}",
+        if value.abs() > 1.0 {
+            "use a format with more integer bits, or fewer particles: lengths are counted in \
+             particle spacings"
+        } else {
+            "use a format with more fractional bits: masses, velocities and energies are \
+             counted in those of the first state"
+        }
+    ))]
+    Format {
+        /// Which number.
+        what: &'static str,
+        /// How large it is.
+        value: f64,
+        /// The scalar.
+        scalar: String,
+    },
+    /// A step so short that the run has no end.
+    #[error("at t = {time:?} the stable step is {step:.3e}: {steps:.1e} of them to the end")]
+    #[diagnostic(help(
+        "a speed, a diffusivity or a rate is out of proportion to time.end, or has become so: look \
+         at its unit"
+    ))]
+    Endless {
+        /// When, in the scenario's units.
+        time: f64,
+        /// The step, likewise.
+        step: f64,
+        /// How many would follow.
+        steps: f64,
+    },
+    /// The caller asked for it.
+    #[error("interrupted at t = {time}, after {step} steps: no results were written")]
+    Interrupted {
+        /// When.
+        time: f64,
+        /// After how many steps.
+        step: u64,
+    },
+    /// Not enough memory.
+    #[error(
+        "{particles} particles need about {needed:.1} GiB, this machine has {available:.1} GiB free"
+    )]
+    #[diagnostic(help("use fewer particles (-n, resolution.particles)"))]
+    Memory {
+        /// How many.
+        particles: usize,
+        /// GiB that they take.
+        needed: f64,
+        /// GiB that there are.
+        available: f64,
+    },
+    /// A cut-off that does not go with the cloud.
+    #[error("epsilon = {epsilon:e} is {spacings:.3} spacings: {error}")]
+    #[diagnostic(help(
+        "epsilon = eta h^theta, with h as a number of the unit of length, so eta goes with that \
+         unit: give another eta, or epsilon itself; 1.5 to 4 spacings are usual"
+    ))]
+    Width {
+        /// ε, in the scenario's unit of length.
+        epsilon: f64,
+        /// The same in mean spacings.
+        spacings: f64,
+        /// What the solver says of it.
+        error: Error,
+    },
+    /// A step that is not stable.
+    #[error("time.step = {step:e} is above the stable limit {limit:.6e} at t = {time:?}")]
+    #[diagnostic(help("use a smaller step, a larger epsilon, or leave time.step out"))]
+    Step {
+        /// The step asked for.
+        step: f64,
+        /// The largest stable one.
+        limit: f64,
+        /// When.
+        time: f64,
+    },
+    /// A norm that grows faster than that of any solution.
+    #[error(
+        "at t = {time:?} the energy norm is {norm:.6e}, but no solution grows beyond {bound:.6e}"
+    )]
+    #[diagnostic(help(
+        "the run has become unstable or the cloud too thin: use a smaller time.courant, a larger \
+         epsilon or more particles; time.growth-margin is how much more is let pass"
+    ))]
+    Growth {
+        /// When.
+        time: f64,
+        /// What it has grown to.
+        norm: f64,
+        /// What it may have grown to.
+        bound: f64,
+    },
+    /// A norm that is no number.
+    #[error("at t = {time:?} the energy norm is no number any more")]
+    #[diagnostic(help(
+        "the run has become unstable, or a reaction grows without end: use a smaller time.courant or \
+         time.step, or a slower reaction"
+    ))]
+    Lost {
+        /// When.
+        time: f64,
+    },
+}
+
+impl RunError {
+    /// Whether the scenario has to be another one for the run to be made at all.
+    pub fn is_of_input(&self) -> bool {
+        matches!(
+            self,
+            Self::Format { .. } | Self::Memory { .. } | Self::Width { .. } | Self::Step { .. }
+        )
+    }
+}

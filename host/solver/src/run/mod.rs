@@ -1,0 +1,23 @@
+//! A run that can be held: stepped by one verb, looked into through a description of its fields.
+//!
+//! Knows no equation. What every family of equations is seen as stands in `simulation` and
+//! `description`, the run loop in `complete`, what it leaves in `outcome`.
+
+mod complete;
+mod description;
+mod error;
+mod limits;
+mod norms;
+mod outcome;
+mod simulation;
+mod spread;
+
+pub use complete::{Control, complete};
+pub(crate) use description::fields;
+pub use description::{Abscissa, Description, Field, Kind, View};
+pub use error::RunError;
+pub(crate) use limits::{check_memory, check_numbers, check_step};
+pub use norms::{NormSums, Norms, RECONSTRUCTION, STATE, Window, errors};
+pub use outcome::{Outcome, Sample, Series};
+pub use simulation::{EnergyNorm, Measures, Particulars, Row, Simulation, Step, Sum};
+pub use spread::{Spread, Spreading};

@@ -1,0 +1,159 @@
+//! Errors of a simulation against an exact solution.
+
+use std::collections::BTreeMap;
+
+use super::description::Kind;
+use super::simulation::{Row, Simulation};
+use crate::exact::solution::Solution;
+use crate::scenario::{Extent, Norm, Ring};
+
+/// Norms of the error of one field over a window.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Norms {
+    /// `Σ V_k |err_k| / Σ V_k`, `V_k = m_k/ρ_k`.
+    pub l1: f64,
+    /// `(Σ V_k err_k² / Σ V_k)^(1/2)`.
+    pub l2: f64,
+    /// `max_k |err_k|`.
+    pub linf: f64,
+    /// `Σ |err_k| / n`: every particle counts the same.
+    pub mean: f64,
+    /// `(Σ err_k² / n)^(1/2)`: likewise.
+    pub rms: f64,
+}
+
+impl Norms {
+    /// One of them.
+    pub fn of(&self, norm: Norm) -> f64 {
+        match norm {
+            Norm::L1 => self.l1,
+            Norm::L2 => self.l2,
+            Norm::Linf => self.linf,
+            Norm::Mean => self.mean,
+            Norm::Rms => self.rms,
+        }
+    }
+}
+
+/// The sums that [`Norms`] are made of.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NormSums {
+    volume: f64,
+    count: f64,
+    l1: f64,
+    l2: f64,
+    linf: f64,
+    mean: f64,
+    squares: f64,
+}
+
+impl NormSums {
+    /// Adds the error of a particle.
+    pub fn add(&mut self, volume: f64, error: f64) {
+        let size = error.abs();
+        self.volume += volume;
+        self.count += 1.0;
+        self.l1 += volume * size;
+        self.l2 += volume * size * size;
+        self.linf = self.linf.max(size);
+        self.mean += size;
+        self.squares += size * size;
+    }
+
+    /// The norms; `None` without particles.
+    pub fn norms(&self) -> Option<Norms> {
+        (self.volume > 0.0).then(|| Norms {
+            l1: self.l1 / self.volume,
+            l2: (self.l2 / self.volume).sqrt(),
+            linf: self.linf,
+            mean: self.mean / self.count,
+            rms: (self.squares / self.count).sqrt(),
+        })
+    }
+}
+
+/// The name of all components together: the length of the difference.
+pub const STATE: &str = "state";
+
+/// The name of the reconstruction (1.13) at the particles, all components together.
+pub const RECONSTRUCTION: &str = "reconstruction";
+
+/// Where errors are measured.
+#[derive(Clone, Copy, Debug)]
+pub struct Window<'a> {
+    /// A box.
+    pub extent: &'a Extent,
+    /// Only at some distances from a point, if not everywhere.
+    pub ring: Option<&'a Ring>,
+}
+
+impl Window<'_> {
+    /// Whether a particle is in it.
+    pub fn contains(&self, position: &[f64; 3]) -> bool {
+        self.extent.contains(position)
+            && self.ring.is_none_or(|ring| {
+                let from = ring.center.iter().zip(position);
+                let squares: f64 = from.map(|(c, x)| (x - c) * (x - c)).sum();
+                (ring.inner..=ring.outer).contains(&squares.sqrt())
+            })
+    }
+}
+
+/// The norms of the error of each field that a solution has, over the particles in the window;
+/// `None` if there are none. Where the fields are one state also of [`STATE`], and of
+/// [`RECONSTRUCTION`], given at all particles.
+///
+/// The error of a vector is the length of the difference.
+pub fn errors(
+    simulation: &dyn Simulation,
+    solution: &dyn Solution,
+    window: Window<'_>,
+    reconstruction: &[f64],
+) -> Option<BTreeMap<String, Norms>> {
+    let description = simulation.description();
+    let fields: Vec<_> = description.compared().collect();
+    let mut sums = vec![NormSums::default(); fields.len()];
+    let (mut state, mut smoothed) = (NormSums::default(), NormSums::default());
+    let mut exact = vec![0.0; solution.components()];
+    let (time, mut id) = (simulation.time(), 0);
+    simulation.each(|row: &Row| {
+        id += 1;
+        if !window.contains(&row.position) {
+            return;
+        }
+        solution.write(row.position, time, &mut exact);
+        let mut rest = &exact[..];
+        for (field, sums) in fields.iter().zip(&mut sums) {
+            let (of_field, after) = rest.split_at(field.components);
+            rest = after;
+            let values = &row.values[field.places()];
+            sums.add(
+                row.volume,
+                match field.kind {
+                    Kind::Vector => distance(values, of_field),
+                    _ => values[0] - of_field[0],
+                },
+            );
+        }
+        if description.is_state {
+            let p = exact.len();
+            let first = fields[0].first;
+            state.add(row.volume, distance(&row.values[first..first + p], &exact));
+            let smooth = &reconstruction[(id - 1) * p..id * p];
+            smoothed.add(row.volume, distance(smooth, &exact));
+        }
+    });
+    let names = fields.iter().map(|field| field.name.as_str());
+    let whole = [(STATE, state), (RECONSTRUCTION, smoothed)];
+    let whole = whole.into_iter().filter(|_| description.is_state);
+    names
+        .zip(sums)
+        .chain(whole)
+        .map(|(name, sums)| Some((name.to_owned(), sums.norms()?)))
+        .collect()
+}
+
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
+    squares.sum::<f64>().sqrt()
+}

@@ -1,0 +1,275 @@
+//! The pictures of a run: fields along a line or a radius, in two dimensions maps of them, what the
+//! probe saw, and what drove it over time. Made in passes over the particles, of which none is
+//! kept that is not drawn.
+
+use miette::Report;
+
+use super::figure::{self, MOST_PANELS, MOST_POINTS, Panel};
+use super::map::{self, MOST_MAPS, Map, Raster};
+use crate::experiment::Experiment;
+use crate::run::{Abscissa, Field, Kind, Row, View};
+use crate::scenario::linear::Series;
+
+/// Points of the curve of an exact solution.
+const POINTS: usize = 1000;
+
+/// Cells of a map along its longer side.
+const CELLS: f64 = 128.0;
+
+/// The pictures of a run by the names of their files.
+///
+/// # Errors
+/// A picture that cannot be drawn.
+pub fn pictures(experiment: &Experiment) -> Result<Vec<(&'static str, String)>, Report> {
+    let outcome = &experiment.outcome;
+    let title = format!(
+        "{}, {} particles, t = {:.6}",
+        experiment.scenario.name(),
+        outcome.particles,
+        outcome.time
+    );
+    let description = experiment.simulation.description();
+    let panels = panels(experiment);
+    let figure = figure::panels(&title, description.view.label, &panels)?;
+    let mut pictures = vec![("figure.svg", figure)];
+    if description.dimension == 2 {
+        pictures.push(("map.svg", map::maps(&title, &maps(experiment))?));
+    }
+    pictures.extend(probe(experiment, &title)?.map(|picture| ("probe.svg", picture)));
+    pictures.extend(history(experiment)?.map(|picture| ("history.svg", picture)));
+    Ok(pictures)
+}
+
+/// Where on the abscissa a place is.
+fn along(abscissa: Abscissa, position: &[f64; 3]) -> f64 {
+    match abscissa {
+        Abscissa::Along(axis) => position[axis],
+        Abscissa::From(centre) => {
+            let from = position.iter().zip(centre);
+            from.map(|(x, c)| (x - c) * (x - c)).sum::<f64>().sqrt()
+        }
+    }
+}
+
+/// The place of the curve at a value of the abscissa.
+fn point(abscissa: Abscissa, value: f64, middle: [f64; 3]) -> [f64; 3] {
+    let (mut point, axis) = match abscissa {
+        Abscissa::Along(axis) => (middle, axis),
+        Abscissa::From(centre) => (centre, 0),
+    };
+    match abscissa {
+        Abscissa::Along(_) => point[axis] = value,
+        Abscissa::From(_) => point[axis] += value,
+    }
+    point
+}
+
+/// What is drawn of a field: of a vector the component along the abscissa, or its length.
+fn shown(field: &Field, values: &[f64], abscissa: Abscissa) -> f64 {
+    match (field.kind, abscissa) {
+        (Kind::Vector, Abscissa::Along(axis)) => values[axis],
+        (Kind::Vector, Abscissa::From(_)) => values.iter().map(|u| u * u).sum::<f64>().sqrt(),
+        _ => values[0],
+    }
+}
+
+/// A panel for each field over the window: particles as points, the exact solution as a curve.
+fn panels(experiment: &Experiment) -> Vec<Panel> {
+    let (simulation, window) = (&experiment.simulation, experiment.scenario.window());
+    let description = simulation.description();
+    let View {
+        abscissa,
+        half_width,
+        is_cut,
+        ..
+    } = description.view;
+    let middle: [f64; 3] = std::array::from_fn(|i| window.middle(i));
+    let is_near = |row: &Row| {
+        let mut others = 1..description.dimension;
+        half_width.is_none_or(|half| others.all(|i| (row.position[i] - middle[i]).abs() <= half))
+    };
+    let is_inside = |row: &Row| window.contains(&row.position) && is_near(row);
+    let fields: Vec<&Field> = description.compared().take(MOST_PANELS).collect();
+    let point_of = |field: &Field, row: &Row| {
+        let value = shown(field, &row.values[field.places()], abscissa);
+        (along(abscissa, &row.position), value)
+    };
+    let mut panels: Vec<Panel> = fields
+        .iter()
+        .map(|field| Panel {
+            heading: field.name.clone(),
+            ..Panel::default()
+        })
+        .collect();
+    let (mut inside, mut furthest) = (0usize, 0.0f64);
+    simulation.each(|row| {
+        if is_inside(row) {
+            inside += 1;
+            furthest = furthest.max(along(abscissa, &row.position));
+            for (field, panel) in fields.iter().zip(&mut panels) {
+                panel.reach(point_of(field, row));
+            }
+        }
+    });
+    let stride = inside.div_ceil(MOST_POINTS).max(1);
+    let mut number = 0;
+    simulation.each(|row| {
+        if is_inside(row) {
+            if number % stride == 0 {
+                for (field, panel) in fields.iter().zip(&mut panels) {
+                    panel.points.push(point_of(field, row));
+                }
+            }
+            number += 1;
+        }
+    });
+    let (lower, upper) = match abscissa {
+        Abscissa::Along(axis) => (window.lower[axis], window.upper[axis]),
+        Abscissa::From(_) => (0.0, furthest),
+    };
+    if let Some(exact) = &experiment.exact {
+        for i in 0..=POINTS {
+            let x = lower + (upper - lower) * i as f64 / POINTS as f64;
+            let state = exact.at(point(abscissa, x, middle), experiment.outcome.time);
+            let mut rest = &state[..];
+            for (field, panel) in fields.iter().zip(&mut panels) {
+                let (values, after) = rest.split_at(field.components);
+                rest = after;
+                panel.curve.push((x, shown(field, values, abscissa)));
+            }
+        }
+    }
+    for panel in &mut panels {
+        panel.stride = stride;
+        if is_cut {
+            // Where the solution leaves all particles behind, it would leave them no room.
+            let most = 3.0 * panel.largest();
+            panel.curve.retain(|(_, value)| value.abs() <= most);
+        }
+    }
+    panels
+}
+
+/// Maps of the first fields over the window.
+fn maps(experiment: &Experiment) -> Vec<Map> {
+    let (simulation, window) = (&experiment.simulation, experiment.scenario.window());
+    let description = simulation.description();
+    let corner = |at: &[f64]| [at[0], at[1]];
+    let (lower, upper) = (corner(&window.lower), corner(&window.upper));
+    let size = [upper[0] - lower[0], upper[1] - lower[1]];
+    let cell = size[0].max(size[1]) / CELLS;
+    let cells = size.map(|length| ((length / cell).round() as usize).max(1));
+    let spacing = description.view.spacing.unwrap_or_else(|| {
+        let mut area = 0.0;
+        simulation.each(|row| area += row.volume);
+        (area / experiment.outcome.particles as f64).sqrt()
+    });
+    let fields: Vec<&Field> = description.compared().take(MOST_MAPS).collect();
+    let raster = Raster::new(1.3 * spacing, (lower, upper), cells);
+    let mut rasters = vec![raster; fields.len()];
+    simulation.each(|row| {
+        for (field, raster) in fields.iter().zip(&mut rasters) {
+            raster.add(corner(&row.position), field.length(&row.values));
+        }
+    });
+    let map = |(field, raster): (&&Field, Raster)| Map {
+        heading: match field.kind {
+            Kind::Vector => description.view.length.to_owned(),
+            _ => field.name.clone(),
+        },
+        cells: raster.means(),
+        nx: cells[0],
+        ny: cells[1],
+        lower,
+        upper,
+    };
+    fields.iter().zip(rasters).map(map).collect()
+}
+
+/// What walls are driven by over time, and what becomes of the species; `None` where no series
+/// drives one.
+fn history(experiment: &Experiment) -> Result<Option<String>, Report> {
+    let (scenario, outcome) = (&experiment.scenario, &experiment.outcome);
+    let driven = scenario.driven();
+    if driven.is_empty() {
+        return Ok(None);
+    }
+    let names: Vec<&Field> = experiment.simulation.description().compared().collect();
+    let panel = |&(component, series): &(usize, &Series)| {
+        let name = &names[component].name;
+        let spreads =
+            ["min", "mean", "max"].map(|part| outcome.series.of(&format!("{name}_{part}")));
+        let samples = outcome.series.samples.iter().enumerate();
+        let points = samples.flat_map(|(i, sample)| {
+            let time = sample.time;
+            spreads.each_ref().map(|values| (time, values[i]))
+        });
+        let drive = series.times.iter().zip(&series.values);
+        let within = drive.filter(|&(&time, _)| time <= scenario.end());
+        Panel {
+            heading: name.clone(),
+            points: points.collect(),
+            curve: within.map(|(&time, &value)| (time, value)).collect(),
+            ..Panel::default()
+        }
+    };
+    let panels: Vec<Panel> = driven.iter().take(MOST_PANELS).map(panel).collect();
+    let legend = ["smallest, mean, largest", "drives the wall"];
+    let time = match scenario.units().time.as_str() {
+        "1" => "time".to_owned(),
+        unit => format!("time, {unit}"),
+    };
+    let title = format!("{}, over time", scenario.name());
+    Ok(Some(figure::legended(&title, &time, legend, &panels)?))
+}
+
+/// The picture of the probe: along a line, or over a plane; `None` for other shapes.
+fn probe(experiment: &Experiment, title: &str) -> Result<Option<String>, Report> {
+    let Some(probe) = experiment.scenario.probe() else {
+        return Ok(None);
+    };
+    let description = experiment.simulation.description();
+    let names: Vec<(usize, &Field)> = description.compared().enumerate().collect();
+    let p = names.len();
+    let value = |point: usize, component: usize| experiment.probe[point * p + component];
+    let wide = (0..probe.points.len()).filter(|&i| probe.points[i] > 1);
+    let title = format!("{title}, reconstruction");
+    Ok(match wide.collect::<Vec<_>>()[..] {
+        [axis] => {
+            let places = probe.positions();
+            let exact = experiment.exact.iter().flat_map(|exact| {
+                let at = |x: &[f64; 3]| (x[axis], exact.at(*x, experiment.outcome.time));
+                places.iter().map(at)
+            });
+            let exact: Vec<(f64, Vec<f64>)> = exact.collect();
+            let panel = |&(component, field): &(usize, &Field)| Panel {
+                heading: field.name.clone(),
+                points: (0..places.len())
+                    .map(|point| (places[point][axis], value(point, component)))
+                    .collect(),
+                curve: exact.iter().map(|(x, u)| (*x, u[component])).collect(),
+                ..Panel::default()
+            };
+            let panels: Vec<Panel> = names.iter().take(MOST_PANELS).map(panel).collect();
+            Some(figure::panels(&title, ["x", "y", "z"][axis], &panels)?)
+        }
+        [across, up] => {
+            let (nx, ny) = (probe.points[across], probe.points[up]);
+            let corner = |at: &[f64]| [at[across], at[up]];
+            let map = |&(component, field): &(usize, &Field)| Map {
+                heading: field.name.clone(),
+                // Points run along `up` first, cells along `across`.
+                cells: (0..nx * ny)
+                    .map(|cell| value((cell % nx) * ny + cell / nx, component))
+                    .collect(),
+                nx,
+                ny,
+                lower: corner(&probe.lower),
+                upper: corner(&probe.upper),
+            };
+            let maps: Vec<Map> = names.iter().take(MOST_MAPS).map(map).collect();
+            Some(map::maps(&title, &maps)?)
+        }
+        _ => None,
+    })
+}

@@ -18,6 +18,8 @@ pub mod density;
 mod dynamics;
 pub mod exchange;
 mod exchange_rates;
+#[cfg(feature = "heapless")]
+mod gas_storage;
 pub mod gradient;
 pub mod motion;
 mod motion_rates;
@@ -32,10 +34,12 @@ pub mod viscosity;
 
 pub use density::Width;
 pub use dynamics::GasDynamics;
+#[cfg(feature = "heapless")]
+pub use gas_storage::GasStorage;
 pub use open::{Cloud, Inflow, Opening, Zone};
 pub use options::{Diffusion, EnergyForm, Options, Plain, Switch, Weights};
 pub use physics::{Physics, Settled};
 pub use state::{Gas, Particle};
-pub use storage::{ExchangeStorage, ExchangeWorkspace, GasStorage, Workspace};
+pub use storage::{ExchangeStorage, ExchangeWorkspace, Workspace};
 pub use tube::{Stretch, Tube};
 pub use viscosity::Viscosity;

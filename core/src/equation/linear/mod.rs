@@ -5,11 +5,14 @@
 //! `q_k = w_k u_k`. A [`FirstOrderSystem`] says what the `A^i` are: `systems` has some, each in a
 //! file that reads like its equations.
 
+#[cfg(feature = "heapless")]
 mod cloud;
 mod dynamics;
 mod field;
 mod law;
 mod line;
+#[cfg(feature = "heapless")]
+mod linear_storage;
 mod rates;
 mod reconstruction;
 mod state;
@@ -17,6 +20,7 @@ mod storage;
 mod system;
 pub mod systems;
 
+#[cfg(feature = "heapless")]
 pub(crate) use cloud::CloudStorage;
 pub use dynamics::{LinearDynamics, Stability};
 pub use field::{
@@ -24,6 +28,8 @@ pub use field::{
 };
 pub use law::{SystemNode, SystemSums};
 pub use line::Line;
+#[cfg(feature = "heapless")]
+pub use linear_storage::LinearStorage;
 pub use state::{Particle, State};
-pub use storage::{LinearStorage, LinearWorkspace, Register, Start};
+pub use storage::{LinearWorkspace, Register, Start};
 pub use system::{FirstOrderSystem, Nothing, Place};

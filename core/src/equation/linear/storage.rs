@@ -1,13 +1,10 @@
-//! The memory of a linear system: what a step works in, and all of it in one piece for a device.
+//! The memory that a step of a linear system works in.
 
-use crate::error::Error;
 use crate::neighbours::{CellBuffers, Grid};
 use crate::pairs::{Fields, Settled};
 use crate::scalar::Scalar;
 
-use super::cloud::CloudStorage;
 use super::law::{SystemNode, SystemSums};
-use super::state::{Particle, State};
 
 /// Rates of a particle, or a sum of them: `dx/dt`, `dw/dt`, `ε dq/dt`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,72 +67,4 @@ pub struct LinearWorkspace<'a, S: Scalar, M: Fields<S>, const D: usize, const P:
     pub last: &'a mut [Register<S, D, P>],
     /// The weighted sum of the rates of a step.
     pub sum: &'a mut [Register<S, D, P>],
-}
-
-/// A linear system of at most `N` particles on at most `C - 1` cells, with its workspace, in one
-/// piece of memory without a heap.
-///
-/// `C` must exceed [`cell_bound`](crate::neighbours::cell_bound)`(N)`; a `static` one costs no
-/// stack.
-pub struct LinearStorage<
-    S: Scalar,
-    M: Fields<S>,
-    const D: usize,
-    const P: usize,
-    const N: usize,
-    const C: usize,
-> {
-    cloud: CloudStorage<S, D, P, N, C>,
-    nodes: [SystemNode<S, M, D, P>; N],
-    sums: [Settled<SystemNode<S, M, D, P>, SystemSums<S, P>>; N],
-    last: [Register<S, D, P>; N],
-    sum: [Register<S, D, P>; N],
-}
-
-impl<S: Scalar, M: Fields<S>, const D: usize, const P: usize, const N: usize, const C: usize>
-    Default for LinearStorage<S, M, D, P, N, C>
-{
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl<S: Scalar, M: Fields<S>, const D: usize, const P: usize, const N: usize, const C: usize>
-    LinearStorage<S, M, D, P, N, C>
-{
-    /// An empty cloud.
-    pub const fn new() -> Self {
-        Self {
-            cloud: CloudStorage::new(),
-            nodes: [SystemNode::ZERO; N],
-            sums: [Settled::new(SystemNode::ZERO, SystemSums::ZERO); N],
-            last: [Register::ZERO; N],
-            sum: [Register::ZERO; N],
-        }
-    }
-
-    /// Adds a particle; its id is the number of particles before it. Error: no room.
-    pub fn push(&mut self, particle: Particle<S, D, P>) -> Result<(), Error> {
-        self.cloud.push(particle)
-    }
-
-    /// Removes all particles.
-    pub fn clear(&mut self) {
-        self.cloud.clear();
-    }
-
-    /// The state and the workspace, as the solver takes them.
-    pub fn parts(&mut self) -> (State<'_, S, D, P>, LinearWorkspace<'_, S, M, D, P>) {
-        let (state, cells, start) = self.cloud.parts();
-        let work = LinearWorkspace {
-            cells,
-            grid: None,
-            nodes: &mut self.nodes,
-            sums: &mut self.sums,
-            start,
-            last: &mut self.last,
-            sum: &mut self.sum,
-        };
-        (state, work)
-    }
 }

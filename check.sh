@@ -30,6 +30,10 @@ format() {
 lint() {
   say "clippy and docs"
   cargo clippy --workspace --all-targets -- -D warnings
+  # A user may take core with any of its features.
+  for features in "" std fixed heapless micromath; do
+    cargo clippy -p motes-core --no-default-features --features "$features" -- -D warnings
+  done
   RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --quiet
 }
 

@@ -6,6 +6,7 @@ mod column;
 mod place;
 mod registers;
 mod state;
+#[cfg(feature = "heapless")]
 mod storage;
 mod velocity;
 
@@ -15,6 +16,7 @@ pub use place::Place;
 pub use registers::{Register, Start};
 pub(crate) use registers::{accumulate, clear, put, remember, remember_strengths};
 pub use state::{Particle, State};
+#[cfg(feature = "heapless")]
 pub(crate) use storage::{CloudParts, CloudStorage};
 pub use velocity::{
     Compression, Named as NamedField, Rotation, Shear, Still, Uniform, VelocityField, Wave,

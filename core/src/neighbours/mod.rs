@@ -7,9 +7,13 @@
 //! determinism contract: it defines the order of summation.
 
 mod cells;
+#[cfg(any(test, not(feature = "heapless")))]
+mod few;
 mod grid;
 mod runs;
 
 pub use cells::{CellBuffers, Cells, Site, sort};
+#[cfg(not(feature = "heapless"))]
+pub use few::Few;
 pub use grid::{Grid, cell_bound};
 pub use runs::{Image, Run, Runs, code};

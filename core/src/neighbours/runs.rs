@@ -1,5 +1,10 @@
 //! Runs: contiguous stretches of the sorted order that can hold partners of a receiver.
 
+#[cfg(feature = "heapless")]
+use heapless::Vec as List;
+
+#[cfg(not(feature = "heapless"))]
+use super::few::Few as List;
 use super::{Cells, Grid};
 use crate::scalar::Scalar;
 
@@ -53,8 +58,19 @@ pub struct Run<const D: usize> {
     pub image: Image<D>,
 }
 
+impl<const D: usize> Default for Run<D> {
+    /// One without particles.
+    fn default() -> Self {
+        Self {
+            start: 0,
+            end: 0,
+            image: Image::SELF,
+        }
+    }
+}
+
 /// Cells `first..=last` of one direction with one code.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct Segment {
     first: u32,
     last: u32,
@@ -65,9 +81,9 @@ struct Segment {
 const MAX_RUNS: usize = 27;
 
 /// The runs of one receiver, or of several in one row, in the order of summation.
-pub type Runs<const D: usize> = heapless::Vec<Run<D>, MAX_RUNS>;
+pub type Runs<const D: usize> = List<Run<D>, MAX_RUNS>;
 
-type Segments = heapless::Vec<Segment, 3>;
+type Segments = List<Segment, 3>;
 
 /// Real and periodic partners of cells `low..=high` of one direction, in ascending order.
 fn segments<S: Scalar, const D: usize>(
@@ -133,7 +149,7 @@ impl<S: Scalar, const D: usize> Cells<'_, S, D> {
     #[inline]
     pub fn runs(&self, cell: &[u32; D], last: u32) -> Runs<D> {
         let grid = self.grid();
-        let mut choices = [const { Segments::new() }; D];
+        let mut choices = core::array::from_fn::<_, D, _>(|_| Segments::new());
         for (i, (choice, &c)) in choices.iter_mut().zip(cell).enumerate() {
             let high = if i + 1 == D { last } else { c };
             *choice = segments(grid, i, [c, high]);
@@ -145,7 +161,7 @@ impl<S: Scalar, const D: usize> Cells<'_, S, D> {
     /// none, 1 for the lower and 2 for the upper wall.
     pub fn mirror_runs(&self, cell: &[u32; D], mirror: &[u8; D]) -> Runs<D> {
         let grid = self.grid();
-        let mut choices = [const { Segments::new() }; D];
+        let mut choices = core::array::from_fn::<_, D, _>(|_| Segments::new());
         for (i, ((choice, &c), &mirror)) in choices.iter_mut().zip(cell).zip(mirror).enumerate() {
             *choice = match mirror {
                 0 => segments(grid, i, [c, c]),

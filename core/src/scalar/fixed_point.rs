@@ -6,14 +6,16 @@
 //! associative; [`super::Checked`] reports where they would. Quotients saturate, and
 //! `x/0` is the largest value of the sign of `x`.
 
+mod binary;
+
 use core::cmp::Ordering;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use fixed::types::extra::Unsigned;
 use fixed::{FixedI32, FixedI64};
 
-use super::binary::Binary;
 use super::{Number, Scalar};
+use binary::Binary;
 
 macro_rules! fixed_point {
     ($(#[$doc:meta])* $name:ident, $fixed:ident, $int:ty, $unsigned:ty, $wide:ty, $wide_unsigned:ty, $bits:literal) => {

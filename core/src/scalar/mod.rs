@@ -4,11 +4,12 @@
 //! [`Lanes`], a small array of scalars that are worked on together. Only `+ - * /`,
 //! square roots, minima, maxima and one comparison are used, each defined to the last bit.
 
-mod binary;
 mod checked;
+#[cfg(feature = "fixed")]
 mod fixed_point;
 mod float;
 mod lanes;
+#[cfg(feature = "micromath")]
 mod micro;
 #[cfg(test)]
 mod tests;
@@ -18,8 +19,10 @@ use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 pub use checked::{Checked, CheckedWide};
+#[cfg(feature = "fixed")]
 pub use fixed_point::{Q32, Q64};
 pub use lanes::Lanes;
+#[cfg(feature = "micromath")]
 pub use micro::Micro;
 pub use turns::{cosine_of_turns, sine_of_turns};
 

@@ -63,9 +63,10 @@ const fn coefficients(first: u32) -> [f64; TERMS] {
 #[inline(always)]
 fn series<S: Scalar>(y: S, coefficients: &[f64; TERMS]) -> S {
     let square = y * y;
-    let mut sum = S::ZERO;
-    for &coefficient in coefficients.iter().rev() {
-        sum = sum * square + S::from_f64(coefficient);
-    }
-    sum
+    let [c0, c1, c2, c3, c4, c5, c6, c7, c8, c9] = *coefficients;
+    // Not a loop: it would make the numbers of the format from the coefficients at every call.
+    let step = |sum: S, coefficient| sum * square + S::from_f64(coefficient);
+    let sum = step(step(step(S::ZERO, c9), c8), c7);
+    let sum = step(step(step(sum, c6), c5), c4);
+    step(step(step(step(sum, c3), c2), c1), c0)
 }

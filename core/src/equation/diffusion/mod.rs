@@ -6,6 +6,8 @@
 //! the velocity fields are those of [`linear`](super::linear).
 
 mod conductor;
+#[cfg(feature = "heapless")]
+mod diffusion_storage;
 mod direct;
 mod drive;
 mod dynamics;
@@ -21,6 +23,8 @@ mod storage;
 mod wall;
 
 pub use conductor::{Conductor, Modulation};
+#[cfg(feature = "heapless")]
+pub use diffusion_storage::{DiffusionStorage, DirectStorage};
 pub use direct::Direct;
 pub use drive::{Drive, DrivenCondition};
 pub use dynamics::{DiffusionDynamics, Form, Mean};
@@ -30,5 +34,5 @@ pub use node::{DiffusionNode, DiffusionSums};
 pub use problem::{DiffusionProblem, Heat};
 pub use reaction::Reaction;
 pub use slab::{Lists, Slab};
-pub use storage::{DiffusionStorage, DiffusionWorkspace, DirectStorage, MixedWorkspace};
+pub use storage::{DiffusionWorkspace, MixedWorkspace};
 pub use wall::Condition;

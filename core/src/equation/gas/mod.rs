@@ -18,6 +18,8 @@ pub mod density;
 mod dynamics;
 pub mod exchange;
 mod exchange_rates;
+#[cfg(feature = "heapless")]
+mod gas_storage;
 pub mod gradient;
 pub mod motion;
 pub mod open;
@@ -33,11 +35,13 @@ pub mod viscosity;
 
 pub use density::Width;
 pub use dynamics::GasDynamics;
+#[cfg(feature = "heapless")]
+pub use gas_storage::{GasStorage, OptionsStorage, PlainStorage};
 pub use open::{Cloud, Inflow, Opening, Zone};
 pub use options::{Diffusion, EnergyForm, Options, Plain, Switch, Weights};
 pub use physics::{Physics, Sorted, Thermal};
 pub use state::{Gas, Particle};
-pub use storage::{GasStorage, GradientBuffers, OptionsStorage, PlainStorage, RatesOf, Workspace};
+pub use storage::{GradientBuffers, RatesOf, Workspace};
 pub use terms::Terms;
 pub use tube::{Stretch, Tube};
 pub use viscosity::Viscosity;

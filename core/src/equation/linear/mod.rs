@@ -8,6 +8,8 @@
 mod dynamics;
 mod law;
 mod line;
+#[cfg(feature = "heapless")]
+mod linear_storage;
 mod rates;
 mod reconstruction;
 mod storage;
@@ -17,7 +19,9 @@ pub mod systems;
 pub use dynamics::{LinearDynamics, Stability};
 pub use law::{SystemNode, SystemSums};
 pub use line::Line;
-pub use storage::{LinearStorage, LinearWorkspace};
+#[cfg(feature = "heapless")]
+pub use linear_storage::LinearStorage;
+pub use storage::LinearWorkspace;
 pub use system::FirstOrderSystem;
 
 pub use crate::cloud::{

@@ -16,13 +16,23 @@ use motes::export;
 const TABLE: &str = "tests/golden.csv";
 
 /// What the table has: a scenario with some particles in some scalars.
-const ROWS: [(&str, usize, &[&str]); 5] = [
+///
+/// Numbers of particles that the firmware has (225, 64, 96) are for rows that it runs.
+const ROWS: [(&str, usize, &[&str]); 11] = [
     ("sod", 225, &["f64", "f32", "q12.19", "q31.32"]),
     ("sod", 900, &["f64", "f32", "q12.19", "q31.32"]),
     ("acoustics1d", 64, &LINE),
     ("telegraph", 64, &LINE),
     ("wall-day", 96, &["f64", "f32", "q15.16", "q31.32"]),
+    ("sod2d", 1000, &SPACE),
+    ("noh3d", 1000, &SPACE),
+    ("acoustics2d", 400, &SPACE),
+    ("acoustics3d", 1000, &SPACE),
+    ("heat2d", 400, &SPACE),
+    ("heat3d", 1000, &SPACE),
 ];
+
+const SPACE: [&str; 3] = ["f64", "f32", "q31.32"];
 
 const LINE: [&str; 5] = ["f64", "f32", "q12.19", "q15.16", "q31.32"];
 

@@ -3,7 +3,6 @@
 mod clock;
 mod diffusion;
 mod dynamics;
-pub mod leap_frog;
 mod linear;
 mod rkl2;
 mod runge_kutta;

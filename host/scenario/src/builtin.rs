@@ -45,6 +45,7 @@ built_in! {
     "sedov3d"
     "acoustics1d"
     "acoustics2d"
+    "acoustics3d"
     "telegraph"
     "transport-rotation"
     "transport-shear"

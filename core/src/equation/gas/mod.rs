@@ -21,6 +21,7 @@ mod exchange_rates;
 #[cfg(feature = "heapless")]
 mod gas_storage;
 pub mod gradient;
+mod leap_frog;
 pub mod motion;
 pub mod open;
 pub mod options;

@@ -209,47 +209,6 @@ impl<S: Scalar, const D: usize> Gas<'_, S, D> {
 }
 
 impl<S: Scalar, const D: usize> Row<'_, S, D> {
-    /// Velocity and energy at the end of a step, predicted by the rates of its start. The
-    /// prediction of energy is kept from falling below 0.
-    #[inline(always)]
-    pub(super) fn predicted(&self, dt: S, form: EnergyForm) -> ([S; D], S) {
-        let mut velocity = *self.velocity;
-        for (u, &force) in velocity.iter_mut().zip(self.force.iter()) {
-            *u += dt * (force / self.mass);
-        }
-        let mut power = *self.power;
-        if form == EnergyForm::Total {
-            power -= S::dot(self.velocity, self.force);
-        }
-        let energy = *self.energy + dt * (power / self.mass);
-        (velocity, energy.greater(S::ZERO))
-    }
-
-    /// Half a kick with the force held, half a kick with the new one, which takes its place.
-    #[inline(always)]
-    pub(super) fn kick(&mut self, dt: S, force: [S; D]) {
-        let half = dt.half();
-        let components = self
-            .velocity
-            .iter_mut()
-            .zip(self.force.iter_mut())
-            .zip(force);
-        for ((u, old), new) in components {
-            *u += half * (*old / self.mass);
-            *u += half * (new / self.mass);
-            *old = new;
-        }
-    }
-
-    /// The same for the internal energy.
-    #[inline(always)]
-    pub(super) fn heat(&mut self, dt: S, power: S) {
-        let half = dt.half();
-        *self.energy += half * (*self.power / self.mass);
-        *self.energy += half * (power / self.mass);
-        *self.power = power;
-    }
-
     /// Goes out as a wave that runs outwards would have it, `Du/Dt = -c div u` along the
     /// normal; its energy answers to compression alone.
     #[inline(always)]

@@ -4,6 +4,9 @@ use super::CutOff;
 use crate::scalar::{Number, Scalar};
 
 /// What a law reads of the cut-off of a pair; what it does not read is not made.
+///
+/// In lanes [`Widths::Both`] goes with [`Parts::Gradient`] and the distance, and only there is the
+/// distance: see [`Needs::fit_lanes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Needs {
     /// Which functions.
@@ -12,6 +15,15 @@ pub struct Needs {
     pub widths: Widths,
     /// Whether the distance itself.
     pub distance: bool,
+}
+
+impl Needs {
+    /// Whether lanes make all that is asked for.
+    pub const fn fit_lanes(&self) -> bool {
+        let both = matches!(self.widths, Widths::Both);
+        let slope = matches!(self.parts, Parts::Gradient);
+        (!both || slope) && (!self.distance || both)
+    }
 }
 
 /// Functions of the argument.
@@ -182,8 +194,8 @@ impl<N: Number> PairBlock<N> {
 
     /// Makes the shapes of the first `count` pairs of receivers of that scale.
     ///
-    /// One loop for each of the few needs that laws have, so that each is a handful of vector
-    /// instructions.
+    /// One loop for each of the three needs that laws have, so that each is a handful of vector
+    /// instructions; every cut-off has them. A need that no law has gets more than it asks for.
     #[inline(always)]
     pub(super) fn make<C: CutOff, const D: usize>(
         &mut self,
@@ -193,37 +205,28 @@ impl<N: Number> PairBlock<N> {
         count: usize,
     ) {
         let count = count.min(BLOCK);
-        match (needs.parts, needs.widths, needs.distance) {
-            (Parts::Gradient, Widths::Both, true) => {
+        match (needs.parts, needs.widths) {
+            (Parts::Gradient, Widths::Both) => {
                 for i in 0..count {
-                    let squared = self.distance_squared[i];
-                    let argument = cut_off.argument(squared);
+                    let argument = cut_off.argument(self.distance_squared[i]);
                     let at_l = argument * N::splat(self.scale[i]);
                     self.k[i].gradient = cut_off.gradient::<D, N>(argument * scale);
                     self.l[i].gradient = cut_off.gradient::<D, N>(at_l);
-                    self.distance[i] = squared.sqrt();
+                    // The same root as that of the argument, where that is one.
+                    self.distance[i] = self.distance_squared[i].sqrt();
                 }
             }
-            (Parts::Gradient, Widths::Equal | Widths::Own, false) => {
+            (Parts::Gradient, _) => {
                 for i in 0..count {
                     let a = cut_off.argument(self.distance_squared[i]) * scale;
                     self.k[i].gradient = cut_off.gradient::<D, N>(a);
                     self.k[i].within = a.below(N::splat(cut_off.edge()));
                 }
             }
-            (Parts::All, Widths::Equal | Widths::Own, false) => {
+            _ => {
                 for i in 0..count {
                     let a = cut_off.argument(self.distance_squared[i]) * scale;
                     self.k[i] = Shape::of::<C, D>(cut_off, Parts::All, a);
-                }
-            }
-            _ => {
-                for i in 0..count {
-                    let scales = [scale, N::splat(self.scale[i])];
-                    let squared = self.distance_squared[i];
-                    let shapes = Shapes::of::<C, D>(cut_off, needs, squared, scales);
-                    (self.k[i], self.l[i]) = (shapes.k, shapes.l);
-                    self.distance[i] = shapes.distance;
                 }
             }
         }

@@ -87,6 +87,8 @@ pub struct Receivers<S, const D: usize, const L: usize> {
 
 impl<S: Scalar, const D: usize, const L: usize> Receivers<S, D, L> {
     /// Those of a range of the sorted order, at most `L` of them.
+    // The same for every law: compiled once.
+    #[inline(never)]
     pub(super) fn of(cells: &Cells<'_, S, D>, range: Range<usize>) -> Self {
         let sites = cells.sites().get(range).unwrap_or(&[]);
         let mut receivers = Self {
@@ -197,6 +199,12 @@ pub fn sum<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
     pairs: &mut PairBlock<Lanes<S, L>>,
     sums: &mut <W::Sums as Fields<S>>::Of<Lanes<S, L>>,
 ) {
+    const {
+        assert!(
+            W::NEEDS.fit_lanes(),
+            "lanes do not make what this law needs"
+        )
+    }
     let (k, position) = (*block.k, block.receivers.position);
     let (cut_off, scale) = (law.cut_off(), law.scale(&k));
     let mut to_k = *sums;

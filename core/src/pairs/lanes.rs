@@ -48,6 +48,8 @@ impl<'a, 'c, S: Scalar, const D: usize, const L: usize> Blocks<'a, 'c, S, D, L> 
 impl<S: Scalar, const D: usize, const L: usize> Iterator for Blocks<'_, '_, S, D, L> {
     type Item = Block<D>;
 
+    // The same for every law: compiled once.
+    #[inline(never)]
     fn next(&mut self) -> Option<Block<D>> {
         if self.next >= self.end {
             return None;
@@ -120,7 +122,8 @@ pub fn lanes<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>
     true
 }
 
-/// Writes the candidates that any receiver of the block needs.
+/// Writes the candidates that any receiver of the block needs: the same for every law, and compiled once.
+#[inline(never)]
 fn find_candidates<K: Kernel, S: Scalar, const D: usize, const L: usize>(
     cells: &Cells<'_, S, D>,
     block: &Block<D>,

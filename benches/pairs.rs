@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use criterion::{BenchmarkId, Criterion, Throughput};
 use fixed::types::extra::U19;
-use motes::benchmark::{CASES, Case, jittered};
+use motes::benchmark::{CASES, Case, plan};
 use motes::engine::{GrowingList, HostScalar, InstructionSet, Threads};
 use motes::families::gas::PlainArrays;
 use motes_core::cutoff::CubicSpline;
@@ -75,7 +75,7 @@ impl<S: HostScalar, const D: usize> Sum<'_, S, D> {
 
 /// Sorts the cloud of a case, made smaller, and hands it over.
 fn with_sum<S: HostScalar, const D: usize>(case: Case, then: impl FnOnce(Sum<'_, S, D>)) {
-    let particles = jittered::<S, D>(case);
+    let particles: Vec<_> = plan(case).take_particles::<S, D>().collect();
     let positions: Vec<_> = particles.iter().map(|particle| particle.position).collect();
     let mut arrays = PlainArrays::<S, D>::new(particles, &Options::OFF);
     let (_, mut work) = arrays.parts();

@@ -4,14 +4,14 @@
 use std::time::Instant;
 
 use motes_core::cutoff::Named as NamedCutOff;
-use motes_core::domain::{Axis, Domain};
-use motes_core::equation::gas::viscosity::{Coefficients, Named as NamedViscosity, Pairwise};
-use motes_core::equation::gas::{GasDynamics, Options, Particle, Plain, Width};
-use motes_core::error::Error;
-use motes_core::material::{IdealGas, Named as NamedMaterial};
+use motes_core::domain::Axis;
+use motes_core::equation::gas::{Options, Particle, Width};
 
-use crate::engine::{HostScalar, Threads, ThreadsError};
-use crate::families::gas::GasArrays;
+use crate::engine::{Threads, ThreadsError};
+use crate::families::{Plan, gas};
+use crate::run::{Abscissa, RunError, ScalarName, start_plan};
+use crate::scenario::{EquationOfState, Viscosity, ViscosityKind};
+use crate::units::SolverUnits;
 
 /// A box of `per_side^dimension` particles.
 #[derive(Clone, Copy, Debug)]
@@ -85,7 +85,7 @@ pub enum BenchmarkError {
     Threads(#[from] ThreadsError),
     /// The solver stopped.
     #[error("the solver stopped: {0}")]
-    Solver(Error),
+    Solver(#[from] RunError),
 }
 
 /// Measures one case.
@@ -93,21 +93,17 @@ pub enum BenchmarkError {
 /// # Errors
 /// A scalar that is not measured, threads that do not start.
 pub fn measure(case: Case, scalar: &str, threads: usize) -> Result<Speed, BenchmarkError> {
-    let mut engine = Threads::new(threads)?;
-    let (neighbours, updates_per_second) = match (scalar, case.dimension) {
-        ("f32", 1) => steps::<f32, 1>(case, &mut engine),
-        ("f32", 2) => steps::<f32, 2>(case, &mut engine),
-        ("f32", _) => steps::<f32, 3>(case, &mut engine),
-        ("f64", 1) => steps::<f64, 1>(case, &mut engine),
-        ("f64", 2) => steps::<f64, 2>(case, &mut engine),
-        ("f64", _) => steps::<f64, 3>(case, &mut engine),
+    let name = match scalar {
+        "f32" => ScalarName::F32,
+        "f64" => ScalarName::F64,
         _ => {
             return Err(BenchmarkError::Scalar {
                 name: scalar.to_owned(),
             });
         }
-    }
-    .map_err(BenchmarkError::Solver)?;
+    };
+    let mut engine = Threads::new(threads)?;
+    let (neighbours, updates_per_second) = steps(case, name, &mut engine)?;
     Ok(Speed {
         case: case.name,
         dimension: case.dimension,
@@ -122,47 +118,56 @@ pub fn measure(case: Case, scalar: &str, threads: usize) -> Result<Speed, Benchm
 
 /// Neighbours and updates a second. The first steps settle ε and warm the caches; of the
 /// others the median counts: the machine may have other work.
-fn steps<S: HostScalar, const D: usize>(
-    case: Case,
-    engine: &mut Threads,
-) -> Result<(f64, f64), Error> {
-    let solver = GasDynamics {
-        domain: Domain {
-            axes: [Axis::periodic(S::ZERO, S::from_f64(case.per_side as f64)); D],
-        },
-        cut_off: NamedCutOff::CubicSpline,
-        width: Width::Adaptive {
-            eta: S::from_f64(case.eta),
-        },
-        viscosity: NamedViscosity::Pairwise(Pairwise(Coefficients {
-            alpha: S::ONE,
-            beta: S::from_f64(2.0),
-        })),
-        materials: &[NamedMaterial::IdealGas(IdealGas::new(1.4))],
-        physics: Plain::DEFAULT,
-        courant: S::from_f64(0.3),
-        smallest_omega: S::from_f64(1.0 / 32.0),
-    };
-    let mut arrays = GasArrays::new(jittered::<S, D>(case), &Options::OFF);
-    let (mut gas, mut work) = arrays.parts();
-    solver.prepare(engine, &mut gas, &mut work)?;
+fn steps(case: Case, scalar: ScalarName, engine: &mut Threads) -> Result<(f64, f64), RunError> {
+    let plan = Plan::Gas(Box::new(plan(case)));
+    let mut gas = start_plan(plan, (scalar, false), engine)?;
     let mut seconds = Vec::new();
     for step in 0..14 {
         let started = Instant::now();
-        let dt = solver.time_step(&gas, S::ONE)?;
-        solver.advance(engine, &mut gas, &mut work, dt)?;
+        gas.step(engine)?;
         if step >= 3 {
             seconds.push(started.elapsed().as_secs_f64());
         }
     }
     seconds.sort_by(f64::total_cmp);
-    let neighbours: f64 = gas.neighbours.iter().map(|count| count.to_f64()).sum();
-    let n = gas.len() as f64;
-    Ok((neighbours / n, n / seconds[seconds.len() / 2]))
+    let updates = gas.places() as f64 / seconds[seconds.len() / 2];
+    Ok((gas.neighbours().mean, updates))
 }
 
-/// A lattice of spacing 1, every particle up to 0.1 off its place, with small velocities.
-pub fn jittered<S: HostScalar, const D: usize>(case: Case) -> Vec<Particle<S, D>> {
+/// A lattice of spacing 1 in a periodic box, every particle up to 0.1 off its place, with small
+/// velocities.
+pub fn plan(case: Case) -> gas::Plan {
+    gas::Plan {
+        dimension: case.dimension,
+        units: SolverUnits {
+            length: 1.0,
+            mass: 1.0,
+            velocity: 1.0,
+            dimension: case.dimension as i32,
+        },
+        middle: [0.0; 3],
+        axes: [Axis::periodic(0.0, case.per_side as f64); 3],
+        opening: None,
+        particles: jittered(case),
+        stretches: None,
+        materials: vec![EquationOfState::IdealGas { gamma: 1.4 }],
+        cut_off: NamedCutOff::CubicSpline,
+        width: Width::Adaptive { eta: case.eta },
+        viscosity: Viscosity {
+            kind: ViscosityKind::Pairwise,
+            alpha: 1.0,
+            beta: 2.0,
+            switch: None,
+            balsara: false,
+        },
+        options: Options::OFF,
+        end: 1000.0,
+        courant: 0.3,
+        abscissa: Abscissa::Along(0),
+    }
+}
+
+fn jittered(case: Case) -> Vec<Particle<f64, 3>> {
     let mut seed = 1u64;
     let mut noise = move || {
         // Marsaglia's xorshift: reproducible, and good enough for a jitter.
@@ -171,23 +176,24 @@ pub fn jittered<S: HostScalar, const D: usize>(case: Case) -> Vec<Particle<S, D>
         seed ^= seed << 17;
         (seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
     };
-    let mut particle = |i: usize| {
-        let mut rest = i;
-        let mut position = [S::ZERO; D];
-        for x in position.iter_mut().rev() {
-            *x = S::from_f64((rest % case.per_side) as f64 + 0.5 + 0.2 * noise());
+    let particle = |i: usize| {
+        let (mut rest, mut position, mut velocity) = (i, [0.0; 3], [0.0; 3]);
+        for x in position[..case.dimension].iter_mut().rev() {
+            *x = (rest % case.per_side) as f64 + 0.5 + 0.2 * noise();
             rest /= case.per_side;
+        }
+        for u in &mut velocity[..case.dimension] {
+            *u = 0.1 * noise();
         }
         Particle {
             position,
-            velocity: std::array::from_fn(|_| S::from_f64(0.1 * noise())),
-            mass: S::ONE,
-            energy: S::from_f64(1.8),
-            epsilon: S::from_f64(case.eta),
+            velocity,
+            mass: 1.0,
+            energy: 1.8,
+            epsilon: case.eta,
             material: 0,
         }
     };
-    (0..case.per_side.pow(D as u32))
-        .map(&mut particle)
-        .collect()
+    let particles = 0..case.per_side.pow(case.dimension as u32);
+    particles.map(particle).collect()
 }

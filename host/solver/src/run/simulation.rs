@@ -79,7 +79,7 @@ pub struct EnergyNorm {
 /// A run in memory, at some time. Numbers are in the scenario's units.
 ///
 /// Looking changes no bit. Whatever its scalar, its dimension and its equations, it is one
-/// `Box<dyn Simulation>`, made by [`crate::families::start`].
+/// `Box<dyn Simulation>`, made by the table of families.
 pub trait Simulation: Send {
     /// What there is to see.
     fn description(&self) -> &Description;

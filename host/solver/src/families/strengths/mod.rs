@@ -1,5 +1,5 @@
 //! Clouds of strengths: what linear systems and convection-diffusion share. The plan, the memory
-//! and the simulation of both, over a [`Solver`] of either.
+//! and the simulation of both, over a solver of either.
 
 mod description;
 mod doubts;

@@ -83,6 +83,10 @@ devices() {
     cargo build --release
     # The others do not fit into the memory of its board.
     cargo build --release --target $m0 --bin wall --bin wall_steps
+    # Nor with checks of overflow, in a folder of their own: another profile. A wrap would be one.
+    export CARGO_PROFILE_RELEASE_OVERFLOW_CHECKS=true CARGO_TARGET_DIR=target/overflow-checks
+    cargo build --release
+    cargo build --release --target $m0 --bin wall --bin wall_steps
   )
   say "firmware under QEMU"
   local output

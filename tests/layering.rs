@@ -3,17 +3,19 @@
 use std::path::{Path, PathBuf};
 
 /// The layers of the core, lowest first.
-const CORE: [&str; 10] = [
+const CORE: [&str; 12] = [
+    "numbered",
     "error",
     "scalar",
+    "digest",
     "cutoff",
     "domain",
     "neighbours",
     "pairs",
     "material",
+    "cloud",
     "equation",
     "integrator",
-    "digest",
 ];
 
 /// The layers of the generic part of the host, lowest first; all of them lie above the scenarios.

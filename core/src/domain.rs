@@ -2,6 +2,7 @@
 //! [`Offset::displacement`] and [`Domain::drift`].
 
 use crate::error::Error;
+use crate::numbered::numbered;
 use crate::scalar::{Number, Scalar};
 
 /// What is beyond a side of the domain.
@@ -132,7 +133,7 @@ impl<S: Scalar, const D: usize> Domain<S, D> {
     /// Where a position lies beyond an inflow or outflow side; `None` elsewhere.
     #[inline(always)]
     pub fn beyond(&self, position: &[S; D]) -> Option<Beyond<S, D>> {
-        for (i, (axis, &x)) in self.axes.iter().zip(position).enumerate() {
+        for (i, (axis, &x)) in numbered(self.axes.iter().zip(position)) {
             let (side, out) = if x < axis.lower {
                 (axis.sides[0], -S::ONE)
             } else if x > axis.upper {

@@ -26,5 +26,6 @@ pub mod error;
 pub mod integrator;
 pub mod material;
 pub mod neighbours;
+mod numbered;
 pub mod pairs;
 pub mod scalar;

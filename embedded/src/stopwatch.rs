@@ -59,7 +59,7 @@ impl Stopwatch {
     /// The instructions of `work`.
     pub fn instructions(&self, work: impl FnOnce()) -> u64 {
         let ticks = ticks(work).saturating_sub(self.empty);
-        (ticks * self.rate).div_ceil(10_000_000)
+        ticks.saturating_mul(self.rate).div_ceil(10_000_000)
     }
 }
 

@@ -4,6 +4,7 @@
 //! equation.
 
 use crate::digest::{Digest, Digester};
+use crate::numbered::numbered;
 use crate::scalar::Scalar;
 
 /// A field of a state.
@@ -107,7 +108,7 @@ pub trait Columns<S: Scalar> {
     /// The digest: all fields of [`Role::State`], one after the other.
     fn digest(&self) -> Digest {
         let mut digester = Digester::new();
-        for (place, field) in self.fields().iter().enumerate() {
+        for (place, field) in numbered(self.fields()) {
             if field.role != Role::State {
                 continue;
             }

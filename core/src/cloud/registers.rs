@@ -3,6 +3,7 @@
 use super::state::State;
 use crate::domain::Domain;
 use crate::error::Error;
+use crate::numbered::numbered;
 use crate::scalar::Scalar;
 
 /// Rates of a particle, or a sum of them: `dx/dt`, `dw/dt`, `ε dq/dt`.
@@ -111,7 +112,7 @@ pub(crate) fn put<S: Scalar, const D: usize, const P: usize>(
     moved: Option<(&Domain<S, D>, S)>,
     per_power: S,
 ) -> Result<(), Error> {
-    for (id, (start, rates)) in start.iter().zip(rates).enumerate() {
+    for (id, (start, rates)) in numbered(start.iter().zip(rates)) {
         let Some(row) = state.row(id) else { break };
         if let Some((domain, dt)) = moved {
             *row.position = start.position;

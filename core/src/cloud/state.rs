@@ -3,6 +3,7 @@
 use super::column::{Columns, Unit, columns};
 use crate::digest::Digest;
 use crate::error::{Error, Quantity};
+use crate::numbered::numbered;
 use crate::scalar::Scalar;
 
 /// A particle as it is put into a cloud.
@@ -105,7 +106,7 @@ impl<S: Scalar, const D: usize, const P: usize> State<'_, S, D, P> {
 
     /// The first particle with a number that no run can go on with.
     pub(crate) fn check(&self) -> Result<(), Error> {
-        for (id, (&weight, value)) in self.weight.iter().zip(self.value.iter()).enumerate() {
+        for (id, (&weight, value)) in numbered(self.weight.iter().zip(self.value.iter())) {
             let particle = id as u32;
             let lost = |quantity| Err(Error::NotFinite { particle, quantity });
             if !weight.is_finite() {

@@ -6,6 +6,7 @@ use super::registers::{Start, remember};
 use super::state::{Particle, State};
 use crate::error::{Container, Error};
 use crate::neighbours::{CellBuffers, Grid, Site};
+use crate::numbered::numbered;
 use crate::scalar::Scalar;
 
 /// At most `N` particles of `P` components on at most `C - 1` cells.
@@ -96,7 +97,7 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
     pub fn push(&mut self, particle: Particle<S, D, P>) -> Result<(), Error> {
         let full = Error::Capacity {
             container: Container::Particles,
-            needed: self.arrays.weight.len() as u32 + 1,
+            needed: (self.arrays.weight.len() as u32).saturating_add(1),
             capacity: N as u32,
         };
         let strength = particle.value.map(|u| S::product(particle.weight, u));
@@ -172,7 +173,7 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
     /// step; values are made of strengths and weights, as after every step.
     pub fn restore(&mut self) {
         let mut state = self.arrays.state();
-        for (id, start) in self.start.iter().enumerate() {
+        for (id, start) in numbered(&self.start) {
             let Some(row) = state.row(id) else { break };
             *row.position = start.position;
             *row.weight = start.weight;

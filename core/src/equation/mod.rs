@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::pairs::Engine;
 use crate::scalar::Scalar;
 
-/// An equation and how it is solved: what a [`Stepper`](crate::integrator::Stepper) steps.
+/// An equation and how it is solved: what a `Stepper` steps.
 ///
 /// It holds numbers, no particles. The state and the memory of a step belong to a [`Storage`].
 pub trait Dynamics<S: Scalar, const D: usize> {

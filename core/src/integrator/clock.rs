@@ -45,7 +45,7 @@ impl<S: Scalar> Clock<S> {
             return Err(Error::Stalled);
         }
         self.time = next;
-        self.steps += 1;
+        self.steps = self.steps.saturating_add(1);
         Ok(())
     }
 }

@@ -5,6 +5,7 @@ use crate::cloud::{accumulate, clear, put, remember, remember_strengths};
 use crate::cutoff::CutOff;
 use crate::equation::diffusion::{DiffusionDynamics, DiffusionProblem, DiffusionWorkspace};
 use crate::error::Error;
+use crate::numbered::numbered;
 use crate::pairs::Engine;
 use crate::scalar::Scalar;
 
@@ -91,7 +92,7 @@ where
     fn combine(&mut self, [mu, nu]: [S; 2], fresh: S, first: S) -> Result<(), Error> {
         let (fresh, first) = (fresh * self.per_squared, first * self.per_squared);
         let rows = self.work.stages.iter_mut().zip(self.work.last.iter());
-        for (id, ((stages, last), start)) in rows.zip(self.work.start.iter()).enumerate() {
+        for (id, ((stages, last), start)) in numbered(rows.zip(self.work.start.iter())) {
             let Some(row) = self.state.row(id) else { break };
             let [rates, before, earlier] = stages;
             for j in 0..P {

@@ -88,10 +88,10 @@ impl Rkl2 {
         for j in 2..=self.stages {
             system.rates(time + moment)?;
             let n = f64::from(j);
-            let mu = (2.0 * n - 1.0) / n * b(j) / b(j - 1);
-            let nu = -(n - 1.0) / n * b(j) / b(j - 2);
+            let mu = (2.0 * n - 1.0) / n * b(j) / b(j.wrapping_sub(1));
+            let nu = -(n - 1.0) / n * b(j) / b(j.wrapping_sub(2));
             let fresh = mu * w;
-            let first = -(1.0 - b(j - 1)) * fresh;
+            let first = -(1.0 - b(j.wrapping_sub(1))) * fresh;
             system.combine(
                 [number(mu), number(nu)],
                 dt * number(fresh),

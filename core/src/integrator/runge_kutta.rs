@@ -118,7 +118,7 @@ pub const RK4: RungeKutta = RungeKutta {
 impl RungeKutta {
     /// How many right-hand sides a step takes.
     pub fn sides(&self) -> u32 {
-        1 + self.stages.len() as u32
+        (self.stages.len() as u32).saturating_add(1)
     }
 
     /// The methods, by name.

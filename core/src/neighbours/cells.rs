@@ -97,16 +97,17 @@ pub fn sort<S: Scalar, const D: usize>(
     for (cell, position) in cell_of.iter_mut().zip(positions) {
         *cell = grid.index(&grid.coordinates(position));
         if let Some(count) = starts.get_mut(*cell as usize) {
-            *count += 1;
+            *count = count.wrapping_add(1);
         }
     }
     let mut total = 0;
     for start in starts.iter_mut() {
-        total += *start;
+        total = start.wrapping_add(total);
         *start = total;
     }
     // From the last id to the first, each cell filled from its end: stable.
-    for (id, (&cell, &position)) in cell_of.iter().zip(positions).enumerate().rev() {
+    let rows = cell_of.iter().zip(positions).rev();
+    for (id, (&cell, &position)) in (0..n).rev().zip(rows) {
         let Some(start) = starts.get_mut(cell as usize) else {
             continue;
         };

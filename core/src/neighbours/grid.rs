@@ -2,13 +2,14 @@
 
 use crate::domain::{Domain, Offset, Side};
 use crate::error::{Container, Error};
+use crate::numbered::numbered;
 use crate::scalar::Scalar;
 
 use super::runs::{Image, code};
 
 /// Cells that a cloud of `particles` may take, whatever its shape: beyond it, cells grow.
 pub const fn cell_bound(particles: u32) -> u32 {
-    4 * particles + 128
+    particles.saturating_mul(4).saturating_add(128)
 }
 
 /// One direction of the grid.
@@ -21,6 +22,15 @@ struct GridAxis<S> {
     /// Cells on either side that can hold partners.
     window: u32,
     sides: [Side; 2],
+}
+
+impl<S> GridAxis<S> {
+    /// The last cell.
+    #[inline(always)]
+    fn last(&self) -> u32 {
+        // There is at least one: nothing wraps.
+        self.count.wrapping_sub(1)
+    }
 }
 
 /// The cells over a cloud.
@@ -69,7 +79,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
             window: 1,
             sides: [Side::Free; 2],
         }; D];
-        let rows = axes.iter_mut().zip(&domain.axes).zip(bounds).enumerate();
+        let rows = numbered(axes.iter_mut().zip(&domain.axes).zip(bounds));
         for (i, ((axis, sides), &[lower, upper])) in rows {
             axis.window = if i + 1 == D { 4 } else { 1 };
             axis.sides = sides.sides;
@@ -80,7 +90,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
                 .max(1);
             if sides.is_periodic() {
                 // Wide enough: `long_enough` has seen that a third of the period is.
-                axis.count = axis.count.max(3 * axis.window);
+                axis.count = axis.count.max(axis.window.saturating_mul(3));
             }
             axis.cell = length / S::count(axis.count);
             if !(axis.cell > S::ZERO) {
@@ -100,6 +110,11 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
     /// Number of cells along direction `axis`.
     pub fn count(&self, axis: usize) -> u32 {
         self.axes.get(axis).map_or(1, |axis| axis.count)
+    }
+
+    /// The last cell along direction `axis`.
+    pub(super) fn last(&self, axis: usize) -> u32 {
+        self.axes.get(axis).map_or(0, GridAxis::last)
     }
 
     /// Cells on either side along direction `axis` that can hold partners.
@@ -135,7 +150,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
     pub(crate) fn near_wall(&self, cell: &[u32; D]) -> bool {
         self.axes.iter().zip(cell).any(|(axis, &c)| {
             axis.sides[0] == Side::Mirror && c <= axis.window
-                || axis.sides[1] == Side::Mirror && axis.count - 1 - c <= axis.window
+                || axis.sides[1] == Side::Mirror && axis.last().wrapping_sub(c) <= axis.window
         })
     }
 
@@ -146,7 +161,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
         let mut coordinates = [0; D];
         let components = coordinates.iter_mut().zip(position).zip(&self.axes);
         for ((coordinate, &x), axis) in components {
-            *coordinate = (x - axis.origin).cells(axis.cell).min(axis.count - 1);
+            *coordinate = (x - axis.origin).cells(axis.cell).min(axis.last());
         }
         coordinates
     }
@@ -185,7 +200,7 @@ fn long_enough<S: Scalar, const D: usize>(
     edge: S,
     bounds: &[[S; 2]; D],
 ) -> Result<(), Error> {
-    for (i, (axis, &[lower, upper])) in domain.axes.iter().zip(bounds).enumerate() {
+    for (i, (axis, &[lower, upper])) in numbered(domain.axes.iter().zip(bounds)) {
         let reaches = (upper - lower).cells(edge);
         if axis.is_periodic() && reaches < 3 {
             return Err(Error::PeriodTooShort { axis: i as u8 });
@@ -203,7 +218,7 @@ fn extent<S: Scalar, const D: usize>(
     positions: &[[S; D]],
 ) -> Result<[[S; 2]; D], Error> {
     let mut bounds = [[S::ZERO; 2]; D];
-    for (i, (bound, axis)) in bounds.iter_mut().zip(&domain.axes).enumerate() {
+    for (i, (bound, axis)) in numbered(bounds.iter_mut().zip(&domain.axes)) {
         let error = Error::EmptyDomain { axis: i as u8 };
         let components = || positions.iter().filter_map(|x| x.get(i).copied());
         let lowest = components().reduce(Scalar::lesser).ok_or(error)?;

@@ -6,6 +6,7 @@ use heapless::Vec as List;
 #[cfg(not(feature = "heapless"))]
 use super::few::Few as List;
 use super::{Cells, Grid};
+use crate::numbered::numbered;
 use crate::scalar::Scalar;
 
 /// How a run is seen along one direction.
@@ -40,7 +41,7 @@ impl<const D: usize> Image<D> {
     /// The image of that word.
     pub fn unpacked(word: u32) -> Self {
         let mut codes = [0; D];
-        for (i, code) in codes.iter_mut().rev().enumerate() {
+        for (i, code) in numbered(codes.iter_mut().rev()) {
             *code = (word >> (3 * i) & 7) as u8;
         }
         Self(codes)
@@ -91,7 +92,7 @@ fn segments<S: Scalar, const D: usize>(
     axis: usize,
     [low, high]: [u32; 2],
 ) -> Segments {
-    let (count, window) = (grid.count(axis), grid.window(axis));
+    let (count, window, last) = (grid.count(axis), grid.window(axis), grid.last(axis));
     let mut segments = Segments::new();
     let mut push = |first: u32, last: u32, code| {
         // At most three are pushed: there is room.
@@ -101,13 +102,9 @@ fn segments<S: Scalar, const D: usize>(
     if grid.is_periodic(axis) && beyond >= count {
         push(0, beyond - count, code::LOW);
     }
-    push(
-        low.saturating_sub(window),
-        beyond.min(count - 1),
-        code::DIRECT,
-    );
+    push(low.saturating_sub(window), beyond.min(last), code::DIRECT);
     if grid.is_periodic(axis) && low < window {
-        push(count + low - window, count - 1, code::HIGH);
+        push(count.wrapping_sub(window - low), last, code::HIGH);
     }
     segments
 }
@@ -120,11 +117,11 @@ fn mirrored<S: Scalar, const D: usize>(
     c: u32,
     end: usize,
 ) -> Segments {
-    let (count, window) = (grid.count(axis), grid.window(axis));
+    let (window, last) = (grid.window(axis), grid.last(axis));
     let mut segments = Segments::new();
-    let from_wall = if end == 0 { c } else { count - 1 - c };
+    let from_wall = if end == 0 { c } else { last.wrapping_sub(c) };
     if grid.is_wall(axis, end) && from_wall <= window {
-        let depth = (window - from_wall).min(count - 1);
+        let depth = (window - from_wall).min(last);
         let segment = if end == 0 {
             Segment {
                 first: 0,
@@ -133,8 +130,8 @@ fn mirrored<S: Scalar, const D: usize>(
             }
         } else {
             Segment {
-                first: count - 1 - depth,
-                last: count - 1,
+                first: last - depth,
+                last,
                 code: code::UPPER_WALL,
             }
         };
@@ -150,7 +147,7 @@ impl<S: Scalar, const D: usize> Cells<'_, S, D> {
     pub fn runs(&self, cell: &[u32; D], last: u32) -> Runs<D> {
         let grid = self.grid();
         let mut choices = core::array::from_fn::<_, D, _>(|_| Segments::new());
-        for (i, (choice, &c)) in choices.iter_mut().zip(cell).enumerate() {
+        for (i, (choice, &c)) in numbered(choices.iter_mut().zip(cell)) {
             let high = if i + 1 == D { last } else { c };
             *choice = segments(grid, i, [c, high]);
         }
@@ -162,7 +159,7 @@ impl<S: Scalar, const D: usize> Cells<'_, S, D> {
     pub fn mirror_runs(&self, cell: &[u32; D], mirror: &[u8; D]) -> Runs<D> {
         let grid = self.grid();
         let mut choices = core::array::from_fn::<_, D, _>(|_| Segments::new());
-        for (i, ((choice, &c), &mirror)) in choices.iter_mut().zip(cell).zip(mirror).enumerate() {
+        for (i, ((choice, &c), &mirror)) in numbered(choices.iter_mut().zip(cell).zip(mirror)) {
             *choice = match mirror {
                 0 => segments(grid, i, [c, c]),
                 wall => mirrored(grid, i, c, usize::from(wall) - 1),
@@ -187,13 +184,17 @@ impl<S: Scalar, const D: usize> Cells<'_, S, D> {
                 let Some(segment) = choices[i].get(place[i].0) else {
                     return runs;
                 };
-                cell[i] = segment.first + place[i].1;
+                cell[i] = segment.first.wrapping_add(place[i].1);
                 image.0[i] = segment.code;
             }
-            let row = self.grid().index(&cell) - cell[D - 1];
+            // The number of a cell is below that of all cells: nothing wraps.
+            let row = self.grid().index(&cell).wrapping_sub(cell[D - 1]);
             for segment in &choices[D - 1] {
                 image.0[D - 1] = segment.code;
-                let (start, end) = self.span(row + segment.first, row + segment.last);
+                let (start, end) = self.span(
+                    row.wrapping_add(segment.first),
+                    row.wrapping_add(segment.last),
+                );
                 if start < end {
                     let _ = runs.push(Run { start, end, image });
                 }

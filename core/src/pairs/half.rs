@@ -8,6 +8,7 @@ use super::law::{Fields, Law, Separation, Settled};
 use super::mirror::mirror_terms;
 use super::plain::receive;
 use crate::neighbours::{Cells, Run};
+use crate::numbered::numbered;
 use crate::scalar::{Number, Scalar};
 
 /// Evaluates `law` for the whole cloud.
@@ -26,7 +27,7 @@ pub fn half<S: Scalar, const D: usize, W: Law<S, D>>(
             run_pairs(law, cells, nodes, place, run, settled);
         }
     }
-    for (place, settled) in settled.iter_mut().enumerate() {
+    for (place, settled) in numbered(settled) {
         let mut sums = settled.sums.splat::<S>();
         let cell = cells.cell(place);
         if let Some(site) = cells.sites().get(place) {
@@ -66,7 +67,7 @@ fn run_pairs<S: Scalar, const D: usize, W: Law<S, D>>(
     let k = node.splat::<S>();
     let mut to_k = mine.splat::<S>();
     let receivers = settled.get_mut(range).unwrap_or(&mut []);
-    for (i, ((partner, shown), receiver)) in partners.iter().zip(shown).zip(receivers).enumerate() {
+    for (i, ((partner, shown), receiver)) in numbered(partners.iter().zip(shown).zip(receivers)) {
         let mut r = [S::ZERO; D];
         for i in 0..D {
             r[i] = offsets[i].displacement(site.position[i], partner.position[i]);

@@ -4,6 +4,7 @@ use super::law::{Fields, Law, Settled};
 use super::mirror::mirror_terms;
 use super::run::run_terms;
 use crate::neighbours::{Cells, Site};
+use crate::numbered::numbered;
 use crate::scalar::Scalar;
 
 /// Evaluates `law` for the receivers `first..first + settled.len()` of the sorted order.
@@ -14,7 +15,7 @@ pub fn plain<S: Scalar, const D: usize, W: Law<S, D>>(
     first: usize,
     settled: &mut [Settled<W::Node, W::Sums>],
 ) {
-    for (settled, (place, node)) in settled.iter_mut().zip(nodes.iter().enumerate().skip(first)) {
+    for (settled, (place, node)) in settled.iter_mut().zip(numbered(nodes).skip(first)) {
         settled.node = *node;
         receive(law, cells, nodes, place, settled);
     }

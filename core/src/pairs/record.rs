@@ -1,5 +1,6 @@
 //! Records of numbers, and the same records with several numbers side by side.
 
+use crate::numbered::numbered;
 use crate::scalar::{Number, Scalar};
 
 /// A record of scalars that also exists with lanes in place of the scalars.
@@ -24,7 +25,7 @@ pub trait Fields<S: Scalar>: Copy + Send + Sync + 'static {
         Self: 'a,
     {
         let mut of = Self::ZERO.splat::<N>();
-        for (i, record) in records.take(N::LANES).enumerate() {
+        for (i, record) in numbered(records.take(N::LANES)) {
             Self::set_lane::<N>(&mut of, i, record);
         }
         of

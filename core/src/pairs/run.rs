@@ -3,6 +3,7 @@
 use super::law::{Fields, Law, Separation};
 use crate::domain::{Offset, Wall};
 use crate::neighbours::{Cells, Run, Site, code};
+use crate::numbered::numbered;
 use crate::scalar::{Number, Scalar};
 
 /// Adds the terms of one run to the sums of a receiver at `site`.
@@ -46,7 +47,7 @@ fn image_of<S: Scalar, const D: usize, W: Law<S, D>>(
     offsets: &[Offset<S>; D],
 ) -> W::Node {
     let mut node = *node;
-    for (axis, (&seen, offset)) in image.iter().zip(offsets).enumerate() {
+    for (axis, (&seen, offset)) in numbered(image.iter().zip(offsets)) {
         if let Offset::Wall(position) = *offset {
             let wall = Wall {
                 axis,

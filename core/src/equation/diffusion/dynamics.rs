@@ -6,6 +6,7 @@ use crate::cloud::{State, VelocityField};
 use crate::cutoff::{CutOff, slope};
 use crate::domain::Domain;
 use crate::error::{Error, Quantity};
+use crate::numbered::numbered;
 use crate::scalar::{Number, Scalar};
 
 /// What the direct form takes for `b` between two particles.
@@ -118,7 +119,7 @@ where
         let Some(tensor) = self.problem.tensor() else {
             return S::ONE;
         };
-        let rows = tensor.iter().enumerate();
+        let rows = numbered(tensor);
         let diagonal = rows.filter_map(|(i, row)| row.get(i).copied());
         diagonal.fold(S::ZERO, |trace, t| trace + t)
     }

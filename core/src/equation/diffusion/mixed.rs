@@ -2,6 +2,7 @@
 
 use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
+use crate::numbered::numbered;
 use crate::pairs::{Law, Separation};
 use crate::record;
 use crate::scalar::{Number, Scalar};
@@ -170,7 +171,7 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Diverge
         for (flux, condition) in image.flux.iter_mut().zip(conditions) {
             // Behind a held value `2 g - u` falls along the wall where u rises.
             if let Condition::Value(_) = condition {
-                let along = flux.iter_mut().enumerate();
+                let along = numbered(flux.iter_mut());
                 along
                     .filter(|(i, _)| *i != wall.axis)
                     .for_each(|(_, component)| *component = -*component);

@@ -12,6 +12,7 @@ use crate::cutoff::{CutOff, across};
 use crate::domain::Side;
 use crate::error::Error;
 use crate::neighbours::sort;
+use crate::numbered::numbered;
 use crate::pairs::Engine;
 use crate::scalar::Scalar;
 
@@ -155,7 +156,7 @@ where
                 if *side != Side::Mirror || distance >= self.reach() {
                     continue;
                 }
-                for (j, (condition, &b)) in conditions.iter().zip(&node.diffusivity).enumerate() {
+                for (j, (condition, &b)) in numbered(conditions.iter().zip(&node.diffusivity)) {
                     if let Some((conductance, outside)) = condition.conductance(b, distance) {
                         let spread = across::<S, C, D>(self.cut_off, distance / self.epsilon);
                         let factor = (self.epsilon + self.epsilon) * (spread * conductance);
@@ -181,8 +182,8 @@ where
     /// What holds at the walls.
     pub(crate) fn walls(&self, time: S) -> [[[Condition<S>; P]; 2]; D] {
         let mut walls = [[[Condition::NoFlux; P]; 2]; D];
-        for (axis, ends) in walls.iter_mut().enumerate() {
-            for (end, conditions) in ends.iter_mut().enumerate() {
+        for (axis, ends) in numbered(&mut walls) {
+            for (end, conditions) in numbered(ends) {
                 *conditions = self.problem.wall(axis, end, time);
             }
         }

@@ -4,6 +4,7 @@ use crate::cutoff::CutOff;
 use crate::error::Error;
 use crate::material::EquationOfState;
 use crate::neighbours::{Cells, Grid, sort};
+use crate::numbered::numbered;
 use crate::pairs::Engine;
 use crate::scalar::Scalar;
 
@@ -64,11 +65,7 @@ where
                 return Ok(grid);
             }
         }
-        let most = gas
-            .epsilon
-            .iter()
-            .enumerate()
-            .reduce(|a, b| if b.1 > a.1 { b } else { a });
+        let most = numbered(gas.epsilon.iter()).reduce(|a, b| if b.1 > a.1 { b } else { a });
         Err(Error::Isolated {
             particle: most.map_or(0, |(particle, _)| particle as u32),
         })

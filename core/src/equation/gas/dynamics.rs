@@ -4,6 +4,7 @@ use crate::cutoff::CutOff;
 use crate::domain::Domain;
 use crate::error::{Error, Quantity};
 use crate::material::EquationOfState;
+use crate::numbered::numbered;
 use crate::pairs::Engine;
 use crate::scalar::Scalar;
 
@@ -79,8 +80,7 @@ where
     /// and of `√(ε |a|)`, `|a|` the largest component of its acceleration.
     pub fn time_step(&self, gas: &Gas<'_, S, D>, longest: S) -> Result<S, Error> {
         let mut smallest = longest;
-        for (particle, (&epsilon, &signal)) in gas.epsilon.iter().zip(gas.signal.iter()).enumerate()
-        {
+        for (particle, (&epsilon, &signal)) in numbered(gas.epsilon.iter().zip(gas.signal.iter())) {
             // A gas without sound and motion bounds nothing.
             if signal > S::ZERO {
                 let step = self.courant * (epsilon / signal);

@@ -5,6 +5,7 @@ use heapless::Vec;
 use crate::equation::{Dynamics, Parts, Storage};
 use crate::error::{Container, Error};
 use crate::neighbours::{CellBuffers, Site};
+use crate::numbered::numbered;
 use crate::pairs::{Fields, Nothing, Settled};
 use crate::scalar::Scalar;
 
@@ -150,7 +151,7 @@ impl<S: Scalar, X: Fields<S>, const D: usize, const N: usize, const G: usize, co
     pub fn push(&mut self, particle: Particle<S, D>) -> Result<(), Error> {
         let full = Error::Capacity {
             container: Container::Particles,
-            needed: self.arrays.mass.len() as u32 + 1,
+            needed: (self.arrays.mass.len() as u32).saturating_add(1),
             capacity: N as u32,
         };
         self.arrays
@@ -296,7 +297,7 @@ where
     }
     fn restore(&mut self) {
         let mut gas = self.arrays.gas();
-        for (id, particle) in self.before.iter().enumerate() {
+        for (id, particle) in numbered(&self.before) {
             gas.put_back(id, particle);
         }
     }

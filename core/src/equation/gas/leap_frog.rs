@@ -14,6 +14,7 @@
 use crate::cutoff::CutOff;
 use crate::error::Error;
 use crate::material::EquationOfState;
+use crate::numbered::numbered;
 use crate::pairs::Engine;
 use crate::scalar::Scalar;
 
@@ -55,7 +56,7 @@ where
             .zip(gas.velocity.iter_mut())
             .zip(gas.force.iter_mut())
             .zip(gas.mass.iter());
-        for (id, (((position, velocity), force), &mass)) in particles.enumerate() {
+        for (id, (((position, velocity), force), &mass)) in numbered(particles) {
             let mut step = *velocity;
             for (component, &force) in step.iter_mut().zip(force.iter()) {
                 *component = dt * (*component + half * (force / mass));

@@ -147,12 +147,12 @@ fn checking_for_overflow_changes_no_bit_and_names_the_first_one() {
         "-n",
         "225",
         "--scalar",
-        "q9.22",
+        "q12.19",
         "--check-overflow",
         "--set",
         "region.0.pressure=0.1",
         "--set",
-        "region.0.velocity=[20.0]",
+        "region.0.velocity=[60.0]",
     ];
     let errors = failure(folder.path(), &hot, 1);
     // Messages are wrapped to the terminal, behind a bar.

@@ -24,10 +24,10 @@ const ROWS: [(&str, usize, &[&str]); 11] = [
     ("acoustics1d", 64, &LINE),
     ("telegraph", 64, &LINE),
     ("wall-day", 96, &["f64", "f32", "q15.16", "q31.32"]),
-    ("sod2d", 1000, &SPACE),
+    ("sedov2d", 1000, &SPACE),
     ("noh3d", 1000, &SPACE),
     ("acoustics2d", 400, &SPACE),
-    ("acoustics3d", 1000, &SPACE),
+    ("acoustics3d", 3375, &SPACE),
     ("heat2d", 400, &SPACE),
     ("heat3d", 1000, &SPACE),
 ];

@@ -67,7 +67,7 @@ fn stopping_on_the_way_and_looking_change_no_bit() {
 #[test]
 fn columns_are_found_by_their_headings() {
     let mut engine = Threads::new(1).unwrap();
-    let few = ["resolution.particles=400"];
+    let few = ["resolution.particles=3000"];
     let plane = begun(&mut engine, ("sod2d", &few));
     let particles = plane.particles();
     for heading in [

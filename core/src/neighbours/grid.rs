@@ -5,7 +5,7 @@ use crate::error::{Container, Error};
 use crate::numbered::numbered;
 use crate::scalar::Scalar;
 
-use super::runs::{Image, code};
+use super::image::{Image, code};
 
 /// Cells that a cloud of `particles` may take, whatever its shape: beyond it, cells grow.
 pub const fn cell_bound(particles: u32) -> u32 {

@@ -10,10 +10,12 @@ mod cells;
 #[cfg(any(test, not(feature = "heapless")))]
 mod few;
 mod grid;
+mod image;
 mod runs;
 
 pub use cells::{CellBuffers, Cells, Site, sort};
 #[cfg(not(feature = "heapless"))]
 pub use few::Few;
 pub use grid::{Grid, cell_bound};
-pub use runs::{Image, Run, Runs, code};
+pub use image::{Image, code};
+pub use runs::{Run, Runs};

@@ -13,7 +13,7 @@ use crate::scalar::Scalar;
 /// and the stabilised method, in one piece of memory without a heap.
 ///
 /// `C` above [`cell_bound`](crate::neighbours::cell_bound)`(N)` is enough for any cloud; between two
-/// ends one above the cells of [`Grid::fit`] is. A `static` one costs no stack.
+/// ends one above the cells of [`Grid::fit`](crate::neighbours::Grid::fit) is. A `static` one costs no stack.
 pub struct DirectStorage<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
 {
     cloud: CloudStorage<S, D, P, N, C>,

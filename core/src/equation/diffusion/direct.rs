@@ -5,7 +5,7 @@ use crate::domain::Wall;
 use crate::pairs::{Law, Separation};
 use crate::scalar::{Number, Scalar};
 
-use super::dynamics::Mean;
+use super::mean::Mean;
 use super::node::{DiffusionNode, DiffusionSums};
 use super::wall::Condition;
 

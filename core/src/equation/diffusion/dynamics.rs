@@ -1,5 +1,6 @@
 //! The solver of a convection-diffusion problem: what it is made of, and its stable time step.
 
+use super::mean::Mean;
 use super::problem::DiffusionProblem;
 use super::storage::DiffusionWorkspace;
 use crate::cloud::{State, VelocityField};
@@ -7,34 +8,7 @@ use crate::cutoff::{CutOff, slope};
 use crate::domain::Domain;
 use crate::error::{Error, Quantity};
 use crate::numbered::numbered;
-use crate::scalar::{Number, Scalar};
-
-/// What the direct form takes for `b` between two particles.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Mean {
-    /// `(b_k + b_l)/2`, as (4.6) has it: second order where `b` is smooth.
-    #[default]
-    Arithmetic,
-    /// `2 b_k b_l/(b_k + b_l)`, two resistances in a row: for jumps of `b` (Cleary & Monaghan, J.
-    /// Comput. Phys. 148, 1999, 227). One division a pair.
-    Harmonic,
-}
-
-impl Mean {
-    /// Twice the mean.
-    #[inline(always)]
-    pub(super) fn twice<N: Number>(self, k: N, l: N) -> N {
-        let sum = k + l;
-        match self {
-            Self::Arithmetic => sum,
-            Self::Harmonic => {
-                let part = l / sum.max(N::splat(N::Scalar::TINIEST));
-                let product = k * part;
-                (product + product) + (product + product)
-            }
-        }
-    }
-}
+use crate::scalar::Scalar;
 
 /// Which form.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

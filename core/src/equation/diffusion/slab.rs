@@ -7,7 +7,8 @@ use core::mem::take;
 
 use super::conductor::{Conductor, Modulation};
 use super::drive::{Drive, DrivenCondition};
-use super::dynamics::{DiffusionDynamics, Form, Mean};
+use super::dynamics::{DiffusionDynamics, Form};
+use super::mean::Mean;
 use super::named::NamedProblem;
 use super::reaction::Reaction;
 use crate::cloud::{Particle, VelocityField};

@@ -20,9 +20,10 @@ use crate::pairs::{Law, Separation};
 use crate::record;
 use crate::scalar::{Number, Scalar};
 
-use super::motion::{GasSums, Motion, NEEDS, NodeOf, NodeOver, reflected};
+use super::motion::{Motion, NEEDS, reflected};
+use super::node::GasSums;
 use super::options::Options;
-use super::terms::{Between, Terms};
+use super::terms::{Between, NodeOf, NodeOver, Terms};
 use super::viscosity::{Pair, Viscosity};
 
 record! {

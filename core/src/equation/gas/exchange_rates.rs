@@ -10,11 +10,11 @@ use crate::scalar::Scalar;
 use super::dynamics::GasDynamics;
 use super::exchange::{Extras, Flow as EnergyFlow, Work};
 use super::gradient::{Gradient, GradientNode, GradientSums, divergence};
-use super::motion::NodeOf;
 use super::options::{EnergyForm, Options, Plain};
 use super::physics::{Physics, Sorted, Thermal};
 use super::storage::{GradientBuffers, RatesOf};
 use super::switch::{Flow, balsara};
+use super::terms::NodeOf;
 use super::viscosity::Viscosity;
 
 impl<S: Scalar, const D: usize> Physics<S, D> for Options<S, D> {

@@ -12,7 +12,7 @@ use crate::scalar::Scalar;
 use super::density::{DensityNode, DensitySums};
 use super::exchange::Extras;
 use super::gradient::{GradientNode, GradientSums};
-use super::motion::{GasNode, GasSums};
+use super::node::{GasNode, GasSums};
 use super::open::Cloud;
 use super::state::{Before, Gas, Particle};
 use super::storage::{GradientBuffers, Workspace};

@@ -23,6 +23,7 @@ mod gas_storage;
 pub mod gradient;
 mod leap_frog;
 pub mod motion;
+mod node;
 pub mod open;
 pub mod options;
 mod physics;

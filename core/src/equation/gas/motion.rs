@@ -9,64 +9,13 @@
 
 use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
-use crate::pairs::{Fields, Law, Separation};
-use crate::record;
+use crate::pairs::{Law, Separation};
 use crate::scalar::{Number, Scalar};
 
-use super::terms::{Between, Terms};
+use super::terms::{Between, NodeOf, NodeOver, Terms};
 use super::viscosity::Viscosity;
 
-record! {
-    /// What a particle of gas shows: over a number `N`, with what the terms need, `X`.
-    pub struct GasNode<N, X, const D: usize> {
-        /// Mass `m`.
-        pub mass: N,
-        /// Measure μ: the mass, or 1.
-        pub measure: N,
-        /// `P = (p + q)/(Ω ν²)`.
-        pub pressure: N,
-        /// `σ ε^-(D+2)`: turns `F(q) r` into the gradient.
-        pub gradient: N,
-        /// The particle's part of the argument of the cut-off.
-        pub scale: N,
-        /// Sound speed `c`.
-        pub sound_speed: N,
-        /// Density ρ.
-        pub density: N,
-        /// ε.
-        pub epsilon: N,
-        /// Velocity `u`.
-        pub velocity: [N; D],
-        /// What goes beyond the paper.
-        pub terms: X,
-    }
-}
-
-record! {
-    /// What it receives.
-    pub struct GasSums<N, const D: usize> {
-        /// `Σ_l μ_l (u_k-u_l)·∇ζ_kl(ε_k) = -Ω_k ν_k div u`.
-        pub compression: N,
-        /// [`Motion`]: rate of internal energy but for the pressure's part,
-        /// `1/2 Σ_l m_k m_l Π_kl (u_k-u_l)·g_kl`, and what is conducted.
-        /// [`Work`](super::exchange::Work): rate of internal energy with the velocities of now.
-        /// [`Flow`](super::exchange::Flow): rate of total energy.
-        pub power: N,
-        /// [`Work`](super::exchange::Work): what `power` gains in a unit of time while forces do
-        /// not change.
-        pub power_slope: N,
-        /// The fastest approach of a partner, along the line of centres; at least 0.
-        pub approach: N,
-        /// `m_k du_k/dt`.
-        pub force: [N; D],
-    }
-}
-
-/// The node of a gas with these terms.
-pub type NodeOf<S, T, const D: usize> = GasNode<S, <T as Terms<S, D>>::Shown, D>;
-/// The same over any number.
-pub type NodeOver<N, S, T, const D: usize> =
-    GasNode<N, <<T as Terms<S, D>>::Shown as Fields<S>>::Of<N>, D>;
+pub use super::node::{GasNode, GasSums};
 
 /// (3.10) and (3.12).
 #[derive(Clone, Copy, Debug)]

@@ -10,11 +10,10 @@ use crate::pairs::Nothing;
 use crate::scalar::Scalar;
 
 use super::dynamics::GasDynamics;
-use super::motion::NodeOf;
 use super::options::{EnergyForm, Plain};
 use super::state::Gas;
 use super::storage::{GradientBuffers, RatesOf};
-use super::terms::Terms;
+use super::terms::{NodeOf, Terms};
 use super::viscosity::Viscosity;
 
 /// Which law a gas solver follows: [`Plain`] or [`Options`](super::Options).

@@ -10,11 +10,13 @@ use crate::scalar::Scalar;
 
 use super::density::DensityNode;
 use super::dynamics::{GasDynamics, Lowest};
-use super::motion::{GasNode, GasSums, Motion, NodeOf};
+use super::motion::Motion;
+use super::node::{GasNode, GasSums};
 use super::options::EnergyForm;
 use super::physics::{Physics, Sorted, Thermal};
 use super::state::{Gas, Row, Wave};
 use super::storage::{RatesOf, Workspace};
+use super::terms::NodeOf;
 use super::viscosity::{Local, Viscosity};
 
 impl<S, C, V, E, P, const D: usize> GasDynamics<'_, S, C, V, E, P, D>

@@ -6,7 +6,8 @@ use crate::scalar::Scalar;
 
 use super::density::{DensityNode, DensitySums};
 use super::gradient::{GradientNode, GradientSums};
-use super::motion::{GasNode, GasSums, NodeOf};
+use super::node::{GasNode, GasSums};
+use super::terms::NodeOf;
 
 /// The node and the sums of each particle of a gas with these terms, in sorted order.
 pub type RatesOf<S, T, const D: usize> = [Settled<NodeOf<S, T, D>, GasSums<S, D>>];

@@ -4,7 +4,7 @@ use crate::pairs::Fields;
 use crate::pairs::Nothing;
 use crate::scalar::{Number, Scalar};
 
-use super::motion::NodeOver;
+use super::node::GasNode;
 use super::options::Plain;
 use super::viscosity::{Pair, Viscosity};
 
@@ -23,6 +23,12 @@ pub struct Between<N, const D: usize> {
     /// The same over `floored`.
     pub speed: N,
 }
+
+/// The node of a gas with these terms.
+pub type NodeOf<S, T, const D: usize> = GasNode<S, <T as Terms<S, D>>::Shown, D>;
+/// The same over any number.
+pub type NodeOver<N, S, T, const D: usize> =
+    GasNode<N, <<T as Terms<S, D>>::Shown as Fields<S>>::Of<N>, D>;
 
 /// The terms of a pair beyond pressure: pseudo-viscosity at the least.
 ///

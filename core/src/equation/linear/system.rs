@@ -16,7 +16,7 @@ use crate::scalar::{Number, Scalar};
 /// `‖u‖² = ∫ u·Pu dx`, in which the solution grows no faster than
 /// [`FirstOrderSystem::growth`] says.
 pub trait FirstOrderSystem<S: Scalar, const D: usize, const P: usize>: Sync {
-    /// What `C^i` needs to know of a place; [`Nothing`] where it is constant.
+    /// What `C^i` needs to know of a place; [`Nothing`](crate::pairs::Nothing) where it is constant.
     type Medium: Fields<S>;
     /// Whether `C^i` is the same everywhere: then a pair applies it once, to `u_k + u_l`.
     const IS_UNIFORM: bool;

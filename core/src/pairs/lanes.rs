@@ -111,9 +111,11 @@ pub fn lanes<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>
                 law,
                 cells,
                 nodes,
-                block.start,
-                &receivers,
-                candidates,
+                &Group {
+                    start: block.start,
+                    receivers: &receivers,
+                    candidates,
+                },
                 &mut pairs,
                 settled,
             );
@@ -142,18 +144,25 @@ fn find_candidates<K: Kernel, S: Scalar, const D: usize, const L: usize>(
     true
 }
 
-/// Evaluates the law for the receivers from `start` on until every lane is done. A lane that
-/// is done freezes.
+/// The receivers of a block with their candidates.
+struct Group<'a, S, const D: usize, const L: usize> {
+    /// The first one, in sorted order.
+    start: usize,
+    receivers: &'a Receivers<S, D, L>,
+    candidates: &'a [u32],
+}
+
+/// Evaluates the law for the receivers of a block until every lane is done. A lane that is done
+/// freezes.
 fn settle<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
     law: &W,
     cells: &Cells<'_, S, D>,
     nodes: &[W::Node],
-    start: usize,
-    receivers: &Receivers<S, D, L>,
-    candidates: &[u32],
+    group: &Group<'_, S, D, L>,
     pairs: &mut PairBlock<Lanes<S, L>>,
     settled: &mut [Settled<W::Node, W::Sums>],
 ) {
+    let start = group.start;
     let near_wall = |place| cells.grid().near_wall(&cells.cell(place));
     let walls = cells.grid().has_walls() && (start..start + settled.len()).any(near_wall);
     let shown = nodes.get(start..).unwrap_or(&[]);
@@ -164,9 +173,9 @@ fn settle<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>(
     loop {
         let k = W::Node::gather::<Lanes<S, L>>(settled.iter().map(|settled| &settled.node));
         let operands = Operands {
-            receivers,
+            receivers: group.receivers,
             k: &k,
-            candidates,
+            candidates: group.candidates,
         };
         let mut sums = W::Sums::ZERO.splat::<Lanes<S, L>>();
         K::sum::<S, D, L, W>(law, cells, nodes, &operands, pairs, &mut sums);

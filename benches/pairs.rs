@@ -21,8 +21,16 @@ use motes_core::neighbours::{Cells, sort};
 use motes_core::pairs::{Engine, Fields, HalfLoop, Law, PlainLoop, Portable, Settled, lanes};
 use motes_core::scalar::{Q32, Scalar};
 
-/// Lanes over plain for f32 in 2D that vectors of 256 bits and more give at the least.
-const SMALLEST_RATIO: f64 = 4.0;
+/// Lanes over plain for f32 in 2D that vectors give at the least; without them it is 1.0.
+///
+/// With AVX2 it depends on the processor: 4.7 on a Zen 5, 2.7 on an older server that the bench has
+/// also been run on.
+fn smallest_ratio(set: InstructionSet) -> f64 {
+    match set {
+        InstructionSet::Avx512 => 4.0,
+        InstructionSet::Avx2 | InstructionSet::Portable => 2.0,
+    }
+}
 
 type Result<S, const D: usize> = Settled<DensityNode<S, D>, DensitySums<S, D>>;
 
@@ -175,8 +183,9 @@ fn ratios() -> ExitCode {
             set.name()
         );
         let used = set == InstructionSet::detect() && set != InstructionSet::Portable;
-        if used && ratio < SMALLEST_RATIO {
-            eprintln!("expected {SMALLEST_RATIO}: the inner loops are no longer vectorised");
+        let smallest = smallest_ratio(set);
+        if used && ratio < smallest {
+            eprintln!("expected {smallest}: the inner loops are no longer vectorised");
             code = ExitCode::FAILURE;
         }
     }

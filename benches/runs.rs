@@ -18,7 +18,8 @@ struct Case {
     changes: &'static [&'static str],
     /// Its scalar.
     scalar: ScalarName,
-    /// The smallest ratio. With AVX2 it is 1.5 to 2.5 times that, without vectors below 1.5.
+    /// The smallest ratio with AVX-512; with AVX2 three quarters of it. Without vectors it is below
+    /// 1.5.
     smallest: f64,
 }
 
@@ -108,11 +109,12 @@ fn main() -> ExitCode {
             "{name} is {ratio:.1} times as fast with lanes ({scalar}, {})",
             set.name()
         );
-        if !(ratio >= case.smallest) {
-            eprintln!(
-                "expected {}: its loops are no longer vectorised",
-                case.smallest
-            );
+        let smallest = match set {
+            InstructionSet::Avx512 => case.smallest,
+            _ => 0.75 * case.smallest,
+        };
+        if !(ratio >= smallest) {
+            eprintln!("expected {smallest}: its loops are no longer vectorised");
             code = ExitCode::FAILURE;
         }
     }

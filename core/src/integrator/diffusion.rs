@@ -36,6 +36,7 @@ where
 {
     fn start(&mut self) -> Result<(), Error> {
         clear(self.state.len(), self.work.sum)?;
+        self.work.ledger.start();
         remember(self.state, self.work.start)
     }
 
@@ -46,9 +47,15 @@ where
 
     fn accumulate(&mut self, n: u32) {
         accumulate(self.work.sum, self.work.last, n);
+        self.work.ledger.accumulate(n);
     }
 
     fn stage(&mut self, dt: S, from: From) -> Result<(), Error> {
+        let per_power = dt * self.per_squared;
+        match from {
+            From::Last => self.work.ledger.put_last(per_power),
+            From::Sum => self.work.ledger.put_sum(per_power),
+        }
         let rates: &[Register<S, D, P>] = match from {
             From::Last => self.work.last,
             From::Sum => self.work.sum,
@@ -60,7 +67,7 @@ where
         }
         let moved = (!still).then_some((&dynamics.domain, dt));
         let registers = (&*self.work.start, rates);
-        put(self.state, registers, moved, dt * self.per_squared)
+        put(self.state, registers, moved, per_power)
     }
 }
 
@@ -75,6 +82,7 @@ where
 {
     fn start(&mut self) -> Result<(), Error> {
         self.work.stages.fill([[S::ZERO; P]; 3]);
+        self.work.ledger.start();
         remember_strengths(self.state, self.work.start)
     }
 
@@ -83,6 +91,7 @@ where
     }
 
     fn keep(&mut self) {
+        self.work.ledger.keep();
         for (stages, last) in self.work.stages.iter_mut().zip(self.work.last.iter()) {
             let [first, _, _] = stages;
             *first = last.strength;
@@ -91,6 +100,7 @@ where
 
     fn combine(&mut self, [mu, nu]: [S; 2], fresh: S, first: S) -> Result<(), Error> {
         let (fresh, first) = (fresh * self.per_squared, first * self.per_squared);
+        self.work.ledger.combine([mu, nu], fresh, first);
         let rows = self.work.stages.iter_mut().zip(self.work.last.iter());
         for (id, ((stages, last), start)) in numbered(rows.zip(self.work.start.iter())) {
             let Some(row) = self.state.row(id) else { break };

@@ -3,13 +3,10 @@
 
 use super::law::{Fields, Law};
 use super::run::run_terms;
-use crate::neighbours::{Cells, Site};
+use crate::neighbours::{Cells, Run, Site};
 use crate::scalar::Scalar;
 
 /// Adds the terms of the mirror images to the sums of a receiver at `site` in `cell`.
-///
-/// Walls are counted in base 3, the first direction slowest: 0 no wall, 1 the lower, 2 the
-/// upper one; images across two or three walls at an edge or corner are among them.
 pub(super) fn mirror_terms<S: Scalar, const D: usize, W: Law<S, D>>(
     law: &W,
     cells: &Cells<'_, S, D>,
@@ -18,6 +15,21 @@ pub(super) fn mirror_terms<S: Scalar, const D: usize, W: Law<S, D>>(
     cell: &[u32; D],
     node: &W::Node,
     sums: &mut <W::Sums as Fields<S>>::Of<S>,
+) {
+    mirror_runs(cells, cell, |run| {
+        run_terms(law, cells, nodes, site, node, run, sums);
+    });
+}
+
+/// The runs of mirror images that can hold partners of a receiver in `cell`.
+///
+/// Walls are counted in base 3, the first direction slowest: 0 no wall, 1 the lower, 2 the
+/// upper one; images across two or three walls at an edge or corner are among them.
+#[inline(always)]
+pub(super) fn mirror_runs<S: Scalar, const D: usize>(
+    cells: &Cells<'_, S, D>,
+    cell: &[u32; D],
+    mut visit: impl FnMut(&Run<D>),
 ) {
     if !cells.grid().near_wall(cell) {
         return;
@@ -29,7 +41,7 @@ pub(super) fn mirror_terms<S: Scalar, const D: usize, W: Law<S, D>>(
             (*wall, rest) = ((rest % 3) as u8, rest / 3);
         }
         for run in &cells.mirror_runs(cell, &mirror) {
-            run_terms(law, cells, nodes, site, node, run, sums);
+            visit(run);
         }
     }
 }

@@ -185,6 +185,11 @@ impl<S: Scalar> Scalar for Checked<S> {
         Self::of(S::rounded(wide.wide), wide.unlimited, wide.overflowed)
     }
     const HAS_EXACT_SUMS: bool = S::HAS_EXACT_SUMS;
+    const NOTHING: CheckedWide<S> = CheckedWide {
+        wide: S::NOTHING,
+        unlimited: 0.0,
+        overflowed: false,
+    };
     fn wide_to_f64(wide: CheckedWide<S>) -> f64 {
         S::wide_to_f64(wide.wide)
     }

@@ -226,6 +226,7 @@ macro_rules! fixed_point {
                 Self::round(wide)
             }
             const HAS_EXACT_SUMS: bool = true;
+            const NOTHING: $wide = 0;
             #[inline(always)]
             fn wide_to_f64(wide: $wide) -> f64 {
                 let one = ((1 as $wide_unsigned) << Self::FRACTION) as f64;

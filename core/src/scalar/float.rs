@@ -94,6 +94,7 @@ macro_rules! float {
                 wide
             }
             const HAS_EXACT_SUMS: bool = false;
+            const NOTHING: Self = 0.0;
             #[inline(always)]
             fn wide_to_f64(wide: Self) -> f64 {
                 f64::from(wide)

@@ -130,6 +130,7 @@ impl Scalar for Micro {
         wide
     }
     const HAS_EXACT_SUMS: bool = false;
+    const NOTHING: Self = Self(0.0);
     #[inline(always)]
     fn wide_to_f64(wide: Self) -> f64 {
         wide.to_f64()

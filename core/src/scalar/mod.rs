@@ -100,6 +100,8 @@ pub trait Scalar: Number<Scalar = Self> + PartialOrd + Debug + Send + Sync + 'st
 
     /// What an exact product of two scalars is kept in: double width in fixed point.
     type Wide: Copy + Debug + Send + Sync + 'static;
+    /// No product: 0.
+    const NOTHING: Self::Wide;
     /// `a b`, exact where [`Self::Wide`] is wider.
     fn product(a: Self, b: Self) -> Self::Wide;
     /// The sum of two products.

@@ -1,7 +1,9 @@
 //! Convection-diffusion against theory and exact solutions.
 
+mod balance;
 mod clouds;
 mod forms;
+mod layers;
 mod media;
 mod operator;
 mod slab;

@@ -172,14 +172,15 @@ fn cooled(n: u32, form: Form) -> f64 {
     (squares.sum::<f64>() / size).sqrt()
 }
 
-/// The mixed form's integral for a sum costs it a part of its order, and a factor.
+/// The direct form has the order of its cut-off, `r θ = 1.5`; the mixed form's integral for a sum costs
+/// it a part of that, and a factor.
 #[test]
 fn a_slab_cools_by_exchange_in_both_forms() {
-    for (form, least, most) in [(Form::Direct, 1.0, 6e-5), (Form::Mixed, 0.85, 5.5e-4)] {
+    for (form, least, most) in [(Form::Direct, 1.4, 2.3e-5), (Form::Mixed, 0.85, 3.5e-4)] {
         let errors = [50, 100, 200].map(|n| cooled(n, form));
         println!("{form:?}: {errors:?}");
         let order = 0.5 * order(errors[0], errors[2]);
         assert!(order > least, "{form:?} {errors:?}: order {order}");
-        assert!(errors[1] < most, "{form:?}: {errors:?}");
+        assert!(errors[2] < most, "{form:?}: {errors:?}");
     }
 }

@@ -1,5 +1,6 @@
 //! All the memory of a convection-diffusion problem in one piece, for a device.
 
+use super::ledger::Ledger;
 use super::mixed::{FluxSums, MixedNode};
 use super::node::{DiffusionNode, DiffusionSums};
 use super::storage::{DiffusionWorkspace, MixedWorkspace};
@@ -21,6 +22,7 @@ pub struct DirectStorage<S: Scalar, const D: usize, const P: usize, const N: usi
     sums: [Settled<DiffusionNode<S, D, P>, DiffusionSums<S, P>>; N],
     last: [Register<S, D, P>; N],
     stages: [[[S; P]; 3]; N],
+    ledger: Ledger<S, D, P>,
 }
 
 impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize> Default
@@ -42,6 +44,7 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
             sums: [Settled::new(DiffusionNode::ZERO, DiffusionSums::ZERO); N],
             last: [Register::ZERO; N],
             stages: [[[S::ZERO; P]; 3]; N],
+            ledger: Ledger::new(),
         }
     }
 
@@ -73,6 +76,7 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
             start,
             last: &mut self.last,
             time,
+            ledger: &mut self.ledger,
             sum: &mut [],
             stages: &mut self.stages,
             fluxes: &mut [],
@@ -172,9 +176,11 @@ where
     }
     fn keep(&mut self) {
         self.cloud.keep();
+        self.ledger.start();
     }
     fn restore(&mut self) {
         self.cloud.restore();
+        self.ledger.restore();
     }
 }
 
@@ -202,8 +208,10 @@ where
     }
     fn keep(&mut self) {
         self.direct.cloud.keep();
+        self.direct.ledger.start();
     }
     fn restore(&mut self) {
         self.direct.cloud.restore();
+        self.direct.ledger.restore();
     }
 }

@@ -7,7 +7,7 @@ use crate::scalar::{Number, Scalar};
 
 use super::mean::Mean;
 use super::node::{DiffusionNode, DiffusionSums};
-use super::wall::Condition;
+use super::passage::{Walls, end_of};
 
 /// `dq_k/dt = Σ_l w_k w_l (b_k + b_l)(u_l - u_k) ∇ζ_kl·(x_l - x_k)/|x_l - x_k|²` (4.6), one ε.
 ///
@@ -31,8 +31,6 @@ pub struct Direct<S, C, const D: usize, const P: usize> {
     pub mean: Mean,
     /// `T`; `None` for 1.
     pub tensor: Option<[[S; D]; D]>,
-    /// What holds at the walls, by direction and end.
-    pub walls: [[[Condition<S>; P]; 2]; D],
 }
 
 impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Direct<S, C, D, P> {
@@ -72,14 +70,19 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Direct<S, C, D, P> {
 
     /// The bracket of (4.6) times ε².
     #[inline(always)]
-    fn bracket<N: Number<Scalar = S>>(&self, apart: &Separation<N, D>) -> N {
-        let bracket = -(N::splat(self.height) * apart.zeta.k.gradient);
-        bracket * self.share(&apart.r, apart.distance_squared)
+    pub(super) fn bracket<N: Number<Scalar = S>>(&self, apart: &Separation<N, D>) -> N {
+        self.plain_bracket(apart) * self.share(&apart.r, apart.distance_squared)
+    }
+
+    /// The same without a tensor.
+    #[inline(always)]
+    pub(super) fn plain_bracket<N: Number<Scalar = S>>(&self, apart: &Separation<N, D>) -> N {
+        -(N::splat(self.height) * apart.zeta.k.gradient)
     }
 
     /// From order 4 on, and with a tensor, the bracket has both signs.
     #[inline(always)]
-    fn size<N: Number<Scalar = S>>(&self, bracket: N) -> N {
+    pub(super) fn size<N: Number<Scalar = S>>(&self, bracket: N) -> N {
         bracket.max(-bracket)
     }
 }
@@ -127,20 +130,16 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Direct<
         to_k.partners += apart.zeta.k.within;
         to_l.partners += apart.zeta.k.within;
     }
-
-    fn reflected(&self, node: &DiffusionNode<S, D, P>, wall: &Wall<S>) -> DiffusionNode<S, D, P> {
-        imaged(node, wall, &self.walls)
-    }
 }
 
 /// A node as it is seen behind a wall.
 pub(super) fn imaged<S: Scalar, const D: usize, const P: usize>(
     node: &DiffusionNode<S, D, P>,
     wall: &Wall<S>,
-    walls: &[[[Condition<S>; P]; 2]; D],
+    walls: &Walls<S, D, P>,
 ) -> DiffusionNode<S, D, P> {
     let mut image = *node;
-    let conditions = walls.get(wall.axis).and_then(|ends| ends.get(wall.end));
+    let conditions = end_of(walls, wall);
     let place = node.position.get(wall.axis);
     if let (Some(conditions), Some(&x)) = (conditions, place) {
         let distance = (x - wall.position).abs();

@@ -74,13 +74,14 @@ where
                 for node in nodes {
                     // Two walls that are near add up.
                     let mut sums = [S::ZERO; P];
-                    self.at_exchanges(&walls, node, |j, (factor, _)| {
+                    self.at_exchanges(&walls, &work.ledger.shares, node, |_, j, (factor, _)| {
                         if let Some(sum) = sums.get_mut(j) {
                             *sum += factor;
                         }
                     });
                     exchanged = sums.into_iter().fold(exchanged, Scalar::greater);
                 }
+                let kappa = kappa * work.ledger.conduction;
                 conductor * (kappa * kappa) * self.stretch() + exchanged
             }
         };

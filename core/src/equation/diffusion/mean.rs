@@ -9,20 +9,21 @@ pub enum Mean {
     #[default]
     Arithmetic,
     /// `2 b_k b_l/(b_k + b_l)`, two resistances in a row: for jumps of `b` (Cleary & Monaghan, J.
-    /// Comput. Phys. 148, 1999, 227). One division a pair.
+    /// Comput. Phys. 148, 1999, 227). One division a pair. Where layers lie between two particles,
+    /// [`between`](super::DiffusionProblem::between) says, all of their resistances.
     Harmonic,
 }
 
 impl Mean {
-    /// Twice the mean.
+    /// Twice the mean: the same bits from either side.
     #[inline(always)]
     pub(super) fn twice<N: Number>(self, k: N, l: N) -> N {
         let sum = k + l;
         match self {
             Self::Arithmetic => sum,
             Self::Harmonic => {
-                let part = l / sum.max(N::splat(N::Scalar::TINIEST));
-                let product = k * part;
+                let part = k.max(l) / sum.max(N::splat(N::Scalar::TINIEST));
+                let product = k.min(l) * part;
                 (product + product) + (product + product)
             }
         }

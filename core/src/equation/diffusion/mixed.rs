@@ -9,6 +9,7 @@ use crate::scalar::{Number, Scalar};
 
 use super::direct::imaged;
 use super::node::{DiffusionNode, DiffusionSums};
+use super::passage::{Walls, end_of};
 use super::wall::Condition;
 
 record! {
@@ -43,7 +44,7 @@ pub struct Flux<S, C, const D: usize, const P: usize> {
     /// `σ ε^-D`.
     pub height: S,
     /// What holds at the walls, by direction and end.
-    pub walls: [[[Condition<S>; P]; 2]; D],
+    pub walls: Walls<S, D, P>,
 }
 
 /// The second pass: `dq_k/dt = -Σ_l w_k w_l (p_k + p_l)·∇ζ_kl`.
@@ -56,7 +57,7 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Flux<S, C, D, P> {
     /// Laws multiply all scalars before they turn to vectors: the order in which the compiler works on
     /// all lanes at once (three times as fast).
     #[inline(always)]
-    fn factor<N: Number<Scalar = S>>(&self, apart: &Separation<N, D>) -> N {
+    pub(super) fn factor<N: Number<Scalar = S>>(&self, apart: &Separation<N, D>) -> N {
         N::splat(self.height) * apart.zeta.k.gradient
     }
 }
@@ -153,17 +154,28 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Diverge
         }
     }
 
+    /// The image in a closed wall: what goes through one comes on top, and is counted.
     fn reflected(&self, node: &MixedNode<S, D, P>, wall: &Wall<S>) -> MixedNode<S, D, P> {
-        let mut image = MixedNode {
-            node: imaged(&node.node, wall, &self.0.walls),
-            flux: node.flux,
-        };
-        let conditions = self
-            .0
-            .walls
-            .get(wall.axis)
-            .and_then(|ends| ends.get(wall.end));
-        let Some(conditions) = conditions else {
+        let mut image = *node;
+        for flux in &mut image.flux {
+            if let Some(component) = flux.get_mut(wall.axis) {
+                *component = -*component;
+            }
+        }
+        image
+    }
+}
+
+impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Divergence<S, C, D, P> {
+    /// The image in a wall under these conditions.
+    pub(super) fn behind(
+        &self,
+        node: &MixedNode<S, D, P>,
+        wall: &Wall<S>,
+        walls: &Walls<S, D, P>,
+    ) -> MixedNode<S, D, P> {
+        let mut image = *node;
+        let Some(conditions) = end_of(walls, wall) else {
             return image;
         };
         // Fluxes are ε times theirs, and conditions count outwards.

@@ -47,6 +47,10 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionProblem<S, D, P>
         let factor = self.conductor.factor(place) * self.modulation.factor(place.time);
         self.diffusivity.map(|b| factor * b)
     }
+    fn between(&self, ends: [S; 2], time: S) -> Option<[S; P]> {
+        let factor = self.conductor.between(ends)? * self.modulation.factor(time);
+        Some(self.diffusivity.map(|b| factor * b))
+    }
     fn headroom(&self, time: S) -> S {
         self.modulation.headroom(time)
     }

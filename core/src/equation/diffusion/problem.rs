@@ -10,6 +10,16 @@ pub trait DiffusionProblem<S: Scalar, const D: usize, const P: usize>: Sync {
     /// `b(x,t)` of each species, >= 0, length²/time.
     fn diffusivity(&self, place: &Place<S, D>) -> [S; P];
 
+    /// `b` of each species on the way between two coordinates along x: `1/b` averaged along it, which
+    /// is that of resistances in a row, where `b` jumps from layer to layer across x. `None` where `b`
+    /// is smooth. The same bits whichever end is named first.
+    ///
+    /// Asked for with [`Mean::Harmonic`](super::Mean::Harmonic).
+    fn between(&self, ends: [S; 2], time: S) -> Option<[S; P]> {
+        let _ = (ends, time);
+        None
+    }
+
     /// By what factor `b` may yet exceed what it is at that time: a step is bounded by the largest.
     fn headroom(&self, time: S) -> S {
         let _ = time;

@@ -2,8 +2,10 @@
 
 use super::direct::Direct;
 use super::dynamics::{DiffusionDynamics, Form};
+use super::ledger::{Ledger, Share};
 use super::mixed::{Divergence, Flux, MixedNode};
 use super::node::DiffusionNode;
+use super::passage::Walls;
 use super::problem::DiffusionProblem;
 use super::storage::DiffusionWorkspace;
 use super::wall::Condition;
@@ -40,6 +42,7 @@ where
         state.check()?;
         state.weigh();
         *work.grid = None;
+        *work.ledger = Ledger::new();
         self.rates(engine, state, work, S::ZERO)?;
         let alone = |&neighbours: &S| !(neighbours > S::ZERO);
         match state.neighbours.iter().position(alone) {
@@ -60,6 +63,7 @@ where
         time: S,
     ) -> Result<(), Error> {
         let n = state.len();
+        let is_fresh = work.grid.is_none();
         let grid = match *work.grid {
             Some(grid) => grid,
             None => {
@@ -76,31 +80,30 @@ where
         let (Some(nodes), Some(sums)) = (work.nodes.get_mut(..n), work.sums.get_mut(..n)) else {
             return Err(Error::Lengths);
         };
+        let ledger = &mut *work.ledger;
+        ledger.begin();
+        if is_fresh {
+            self.measure(&cells, nodes, &self.walls(time), ledger);
+        }
         match self.form {
             Form::Direct => {
-                let laws = self.law(time);
-                let law = Direct {
-                    cut_off: laws.cut_off,
-                    scale: laws.scale,
-                    height: laws.height,
-                    mean: self.mean,
-                    tensor: self.problem.tensor(),
-                    walls: laws.walls,
-                };
+                let law = self.direct(ledger.conduction);
                 engine.sweep(&law, &cells, nodes, sums)?;
+                self.join(&law, &cells, nodes, sums, time);
                 let own = law.own_radius();
                 for (settled, &id) in sums.iter_mut().zip(cells.order()) {
                     // What a particle does to itself is nothing, and bounds no step.
                     settled.sums.radius -= own(&settled.node);
                     let (rate, partners) = (settled.sums.rate, settled.sums.partners);
-                    self.receive(state, work.last, id, (rate, partners), time);
+                    self.receive(state, (work.last, ledger), id, (rate, partners), time);
                 }
+                self.pass_direct(&law, &cells, nodes, time, (work.last, ledger));
             }
             Form::Mixed => {
                 let Some(fluxes) = work.fluxes.get_mut(..n) else {
                     return Err(Error::Lengths);
                 };
-                let laws = self.law(time);
+                let laws = self.law(time, ledger.conduction);
                 engine.sweep(&laws, &cells, nodes, fluxes)?;
                 let (Some(shown), Some(sums)) =
                     (work.mixed.nodes.get_mut(..n), work.mixed.sums.get_mut(..n))
@@ -119,68 +122,100 @@ where
                     }
                     *shown = MixedNode { node, flux };
                 }
-                engine.sweep(&Divergence(laws), &cells, shown, sums)?;
+                let law = Divergence(laws);
+                engine.sweep(&law, &cells, shown, sums)?;
                 let rows = sums.iter().zip(fluxes.iter()).zip(cells.order());
                 for ((settled, first), &id) in rows {
-                    let (mut rate, partners) = (settled.sums.rate, first.sums.partners);
-                    let node = &first.node;
-                    self.at_exchanges(&laws.walls, node, |j, (factor, outside)| {
-                        if let (Some(rate), Some(&u)) = (rate.get_mut(j), node.value.get(j)) {
-                            *rate -= node.weight * (factor * (u - outside));
-                        }
-                    });
-                    self.receive(state, work.last, id, (rate, partners), time);
+                    let (rate, partners) = (settled.sums.rate, first.sums.partners);
+                    self.receive(state, (work.last, ledger), id, (rate, partners), time);
                 }
+                self.pass_mixed(&law, &cells, shown, time, (work.last, ledger));
             }
         }
         Ok(())
     }
 
-    /// What a particle exchanges with the outside under the mixed form, for each species and wall: the
+    /// What a particle exchanges with the outside under the mixed form, for each wall and species: the
     /// factor of `u - outside` in `-ε² du/dt`, and `outside`.
     ///
     /// `2 g ζ̄_ε(d)` at distance d, g the conductance of layer and wall in a row: the flux `g (u -
-    /// outside)` of the particle itself, spread over the support. Fluxes behind the wall are those of
-    /// a closed one. With the flux of the image's particle behind the wall, a wave of two spacings
-    /// would feed itself at any step; so it only decays.
+    /// outside)` of the particle itself, spread over the support, times the wall's share. Fluxes behind
+    /// the wall are those of a closed one. With the flux of the image's particle behind the wall, a wave
+    /// of two spacings would feed itself at any step; so it only decays.
     pub(super) fn at_exchanges(
         &self,
-        walls: &[[[Condition<S>; P]; 2]; D],
+        walls: &Walls<S, D, P>,
+        shares: &[[Share<S>; 2]; D],
         node: &DiffusionNode<S, D, P>,
-        mut pay: impl FnMut(usize, (S, S)),
+        mut pay: impl FnMut((usize, usize), usize, (S, S)),
     ) {
-        for ((ends, axis), &x) in walls.iter().zip(&self.domain.axes).zip(&node.position) {
-            let sides = axis.sides.iter().zip([axis.lower, axis.upper]);
-            for (conditions, (side, wall)) in ends.iter().zip(sides) {
-                let distance = (x - wall).abs();
-                if *side != Side::Mirror || distance >= self.reach() {
-                    continue;
+        self.at_walls(&node.position, |(axis, end), spread, distance| {
+            let conditions = walls.get(axis).and_then(|ends| ends.get(end));
+            let share = shares.get(axis).and_then(|ends| ends.get(end));
+            let (Some(conditions), Some(share)) = (conditions, share) else {
+                return;
+            };
+            for (j, (condition, &b)) in numbered(conditions.iter().zip(&node.diffusivity)) {
+                if let Some((conductance, outside)) = condition.conductance(b, distance) {
+                    let factor = spread * (share.own * conductance);
+                    pay((axis, end), j, (factor, outside));
                 }
-                for (j, (condition, &b)) in numbered(conditions.iter().zip(&node.diffusivity)) {
-                    if let Some((conductance, outside)) = condition.conductance(b, distance) {
-                        let spread = across::<S, C, D>(self.cut_off, distance / self.epsilon);
-                        let factor = (self.epsilon + self.epsilon) * (spread * conductance);
-                        pay(j, (factor, outside));
-                    }
+            }
+        });
+    }
+
+    /// The walls within reach of a position, by direction and end: `ε² 2 ζ̄_ε(d)` at distance d, whose
+    /// integral over d is ε², and d.
+    pub(super) fn at_walls(&self, position: &[S; D], mut near: impl FnMut((usize, usize), S, S)) {
+        for (i, (axis, &x)) in numbered(self.domain.axes.iter().zip(position)) {
+            let sides = axis.sides.iter().zip([axis.lower, axis.upper]);
+            for (end, (side, wall)) in numbered(sides) {
+                let distance = (x - wall).abs();
+                if *side == Side::Mirror && distance < self.reach() {
+                    let across = across::<S, C, D>(self.cut_off, distance / self.epsilon);
+                    near((i, end), (self.epsilon + self.epsilon) * across, distance);
                 }
             }
         }
     }
 
-    /// The first law of the mixed form, which has what all laws need.
-    fn law(&self, time: S) -> Flux<S, C, D, P> {
+    /// The law of the direct form, of pairs that conduct so many times as well.
+    pub(super) fn direct(&self, conduction: S) -> Direct<S, C, D, P> {
+        Direct {
+            cut_off: self.cut_off,
+            scale: self.cut_off.scale(S::ONE / self.epsilon),
+            height: self.height(conduction),
+            mean: self.mean,
+            tensor: self.problem.tensor(),
+        }
+    }
+
+    /// `σ ε^-D`, so many times.
+    fn height(&self, conduction: S) -> S {
+        let sigma = S::from_f64(self.cut_off.normalisation::<D>());
+        let height = sigma / self.epsilon.powi(D);
+        // Not a product that may round where nothing is to change.
+        if conduction == S::ONE {
+            height
+        } else {
+            conduction * height
+        }
+    }
+
+    /// The first law of the mixed form, likewise.
+    fn law(&self, time: S, conduction: S) -> Flux<S, C, D, P> {
         let inverse_epsilon = S::ONE / self.epsilon;
         Flux {
             cut_off: self.cut_off,
             inverse_epsilon,
             scale: self.cut_off.scale(inverse_epsilon),
-            height: S::from_f64(self.cut_off.normalisation::<D>()) / self.epsilon.powi(D),
+            height: self.height(conduction),
             walls: self.walls(time),
         }
     }
 
     /// What holds at the walls.
-    pub(crate) fn walls(&self, time: S) -> [[[Condition<S>; P]; 2]; D] {
+    pub(crate) fn walls(&self, time: S) -> Walls<S, D, P> {
         let mut walls = [[[Condition::NoFlux; P]; 2]; D];
         for (axis, ends) in numbered(&mut walls) {
             for (end, conditions) in numbered(ends) {
@@ -219,7 +254,7 @@ where
     fn receive(
         &self,
         state: &mut State<'_, S, D, P>,
-        last: &mut [Register<S, D, P>],
+        (last, ledger): (&mut [Register<S, D, P>], &mut Ledger<S, D, P>),
         id: u32,
         (rate, partners): ([S; P], S),
         time: S,
@@ -238,8 +273,11 @@ where
         rates.weight = weight * self.field.divergence(&place);
         let reaction = self.problem.reaction(&place, value);
         let squared = self.epsilon * self.epsilon;
-        for ((sum, pairs), f) in rates.strength.iter_mut().zip(rate).zip(reaction) {
-            *sum = pairs + squared * (weight * f);
+        let made = rates.strength.iter_mut().zip(&mut ledger.reactions);
+        for ((sum, intake), (pairs, f)) in made.zip(rate.into_iter().zip(reaction)) {
+            let reacted = squared * (weight * f);
+            *sum = pairs + reacted;
+            intake.last += reacted;
         }
         if let Some(neighbours) = state.neighbours.get_mut(id) {
             *neighbours = partners - S::ONE;

@@ -1,5 +1,6 @@
 //! The memory that a step of a convection-diffusion problem works in.
 
+use super::ledger::Ledger;
 use super::mixed::{FluxSums, MixedNode};
 use super::node::{DiffusionNode, DiffusionSums};
 use crate::cloud::{Register, Start};
@@ -25,6 +26,8 @@ pub struct DiffusionWorkspace<'a, S: Scalar, const D: usize, const P: usize> {
     pub last: &'a mut [Register<S, D, P>],
     /// The time at which they were made: of a stage, which need not be the end of a step.
     pub time: &'a mut S,
+    /// What has come in so far.
+    pub ledger: &'a mut Ledger<S, D, P>,
     /// The weighted sum of the rates of a step by a Runge-Kutta method.
     pub sum: &'a mut [Register<S, D, P>],
     /// For the stabilised method: rates of the first stage, and the increments of the two before.

@@ -30,6 +30,18 @@ impl<S: Scalar> Condition<S> {
         }
     }
 
+    /// The same for a wall whose particles are to receive so many times as much.
+    pub(super) fn shared(self, share: S) -> Self {
+        match self {
+            Self::NoFlux | Self::Value(_) => self,
+            Self::Flux(flux) => Self::Flux(share * flux),
+            Self::Exchange { rate, outside } => Self::Exchange {
+                rate: share * rate,
+                outside,
+            },
+        }
+    }
+
     /// `u` at the wall, where a particle at `distance` from it has `u` and diffusivity `b`: the
     /// straight line that meets the condition.
     fn at_wall(&self, u: S, b: S, distance: S) -> S {

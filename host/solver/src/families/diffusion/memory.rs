@@ -1,7 +1,7 @@
 //! A convection-diffusion problem in the memory of a server.
 
 use motes_core::equation::diffusion::{
-    DiffusionNode, DiffusionSums, DiffusionWorkspace, FluxSums, MixedNode, MixedWorkspace,
+    DiffusionNode, DiffusionSums, DiffusionWorkspace, FluxSums, Ledger, MixedNode, MixedWorkspace,
 };
 use motes_core::equation::linear::{Particle, State};
 use motes_core::pairs::{Fields, Settled};
@@ -12,6 +12,7 @@ use crate::families::strengths::CloudArrays;
 /// The state of a convection-diffusion problem and the workspace of its solver.
 pub(in crate::families) struct DiffusionArrays<S: Scalar, const D: usize, const P: usize> {
     pub cloud: CloudArrays<S, D, P>,
+    pub ledger: Ledger<S, D, P>,
     nodes: Vec<DiffusionNode<S, D, P>>,
     sums: Vec<Settled<DiffusionNode<S, D, P>, DiffusionSums<S, P>>>,
     stages: Vec<[[S; P]; 3]>,
@@ -36,6 +37,7 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionArrays<S, D, P> {
         let both = if is_mixed { n } else { 0 };
         Self {
             cloud,
+            ledger: Ledger::new(),
             nodes: vec![DiffusionNode::ZERO; n],
             sums: vec![Settled::new(DiffusionNode::ZERO, DiffusionSums::ZERO); n],
             stages: vec![[[S::ZERO; P]; 3]; n],
@@ -56,6 +58,7 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionArrays<S, D, P> {
             start: &mut registers.start,
             last: &mut registers.last,
             time: &mut registers.time,
+            ledger: &mut self.ledger,
             sum: &mut registers.sum,
             stages: &mut self.stages,
             fluxes: &mut self.fluxes,

@@ -6,7 +6,7 @@ use std::fmt;
 use serde::{Serialize, Serializer};
 
 use crate::experiment::Experiment;
-use crate::run::{EnergyNorm, Norms, Spread};
+use crate::run::{Balance, EnergyNorm, Norms, Spread};
 
 /// What a run came to. Serialised, it is the object that `--json` prints; what only some families
 /// have is left out of the object of the others.
@@ -56,6 +56,9 @@ pub struct Summary {
     /// The energy norm at the start and the end, and its bound at the end.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub energy_norm: Option<EnergyNorm>,
+    /// What came in through walls and from reactions, by component; left out where nothing may.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub balance: Vec<Balance>,
     /// Neighbour counts at the end.
     pub neighbours: Spread,
     /// Digest of the last state: 16 hexadecimal digits.
@@ -107,6 +110,7 @@ impl Summary {
             errors: experiment.errors.clone(),
             drift: outcome.is_conserving.then(|| outcome.drift.clone()),
             energy_norm: None,
+            balance: Vec::new(),
             neighbours: outcome.neighbours,
             digest: outcome.digest.to_string(),
             warnings,
@@ -128,6 +132,7 @@ impl Summary {
             epsilon: Some(particulars.epsilon),
             right_hand_sides: Some(outcome.evaluations),
             energy_norm: Some(particulars.energy_norm),
+            balance: particulars.balance,
             drift,
             ..summary
         }
@@ -196,6 +201,26 @@ impl Summary {
         if let Some(EnergyNorm { first, last, bound }) = self.energy_norm {
             let bound = bound.map_or("no bound".to_owned(), |bound| format!("bound {bound:.6e}"));
             writeln!(f, "energy     norm {first:.6e} to {last:.6e}, {bound}")?;
+        }
+        for balance in &self.balance {
+            let walls = balance.walls.iter();
+            let walls =
+                walls.map(|(wall, value)| format!("{} {value:+.6e}", wall.replace('_', " ")));
+            let reactions = balance
+                .reactions
+                .map(|value| format!("reactions {value:+.6e}"));
+            let parts: Vec<String> = walls.chain(reactions).collect();
+            let Balance {
+                component,
+                change,
+                residual,
+                ..
+            } = balance;
+            let parts = parts.join(", ");
+            writeln!(
+                f,
+                "balance    {component} {change:+.6e}: {parts}, left {residual:.1e}"
+            )?;
         }
         Ok(())
     }

@@ -56,8 +56,8 @@ pub enum Form {
 pub enum Mean {
     /// `(b_k + b_l)/2`.
     Arithmetic,
-    /// `2 b_k b_l/(b_k + b_l)`: the flux between two layers is that of their resistances in
-    /// series.
+    /// `2 b_k b_l/(b_k + b_l)`, and through layers what their resistances in series conduct on the
+    /// way between the two. The default of a layered profile in the direct form.
     Harmonic,
 }
 
@@ -104,18 +104,19 @@ pub(super) fn convection_diffusion(
         None => Form::Direct,
     };
     let walls = walls(root, domain, &species, files)?;
+    let profile = match section.optional("profile") {
+        Some(entry) => conductor(&entry, &domain.extent)?,
+        None => Conductor::Uniform,
+    };
     Ok(ConvectionDiffusion {
         form,
-        mean: mean(section, form)?,
+        mean: mean(section, form, &profile)?,
         velocity: match section.optional("velocity") {
             Some(entry) => field(&entry, domain)?,
             None => Field::Still,
         },
         diffusivity: diffusivity(&section.required("diffusivity")?, species.len())?,
-        profile: match section.optional("profile") {
-            Some(entry) => conductor(&entry, &domain.extent)?,
-            None => Conductor::Uniform,
-        },
+        profile,
         modulation: match section.optional("modulation") {
             Some(entry) => Some(modulation(&entry.section()?)?),
             None => None,
@@ -145,9 +146,14 @@ fn species(entry: &Entry<'_>) -> Result<Vec<String>, Fault> {
     names(&entries)
 }
 
-fn mean(section: &Section<'_>, form: Form) -> Result<Mean, Fault> {
+/// Resistances in series between layers, unless told.
+fn mean(section: &Section<'_>, form: Form, profile: &Conductor) -> Result<Mean, Fault> {
     let Some(entry) = section.optional("mean") else {
-        return Ok(Mean::Arithmetic);
+        let is_layered = matches!(profile, Conductor::Layers { .. });
+        return Ok(match (form, is_layered) {
+            (Form::Direct, true) => Mean::Harmonic,
+            _ => Mean::Arithmetic,
+        });
     };
     let mean = entry.choice(MEANS)?;
     if (mean, form) == (Mean::Harmonic, Form::Mixed) {

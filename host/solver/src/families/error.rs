@@ -45,6 +45,22 @@ pub enum PlanError {
         /// What it would be.
         value: f64,
     },
+    /// Layers that are jumped over.
+    #[error(
+        "{what} smooths layers over epsilon = {epsilon:e} and would lose some {percent:.1} % of what \
+         they resist"
+    )]
+    #[diagnostic(help("{cure}, which carries a layer of any thickness as a resistance"))]
+    Layers {
+        /// What would.
+        what: &'static str,
+        /// How much.
+        percent: f64,
+        /// The width of the cut-off.
+        epsilon: f64,
+        /// What to do.
+        cure: &'static str,
+    },
     /// More particles than fit into memory.
     #[error(transparent)]
     #[diagnostic(transparent)]

@@ -19,5 +19,5 @@ pub use error::RunError;
 pub(crate) use limits::{check_memory, check_numbers, check_step};
 pub use norms::{NormSums, Norms, RECONSTRUCTION, STATE, Window, errors};
 pub use outcome::{Outcome, Sample, Series};
-pub use simulation::{EnergyNorm, Measures, Particulars, Row, Simulation, Step, Sum};
+pub use simulation::{Balance, EnergyNorm, Measures, Particulars, Row, Simulation, Step, Sum};
 pub use spread::{Spread, Spreading};

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use motes_core::cutoff::Named;
 use motes_core::equation::diffusion::{
-    DiffusionDynamics, DiffusionProblem, DrivenCondition, Form, NamedProblem, Reaction,
+    DiffusionDynamics, DiffusionProblem, DrivenCondition, Form, Ledger, NamedProblem, Reaction,
 };
 use motes_core::equation::linear::{NamedField, Particle, Place, State, VelocityField};
 use motes_core::error::Error;
@@ -110,6 +110,9 @@ impl<S: HostScalar, const D: usize, const P: usize> Solver<S, D, P> for Diffusio
     }
     fn cloud_mut(memory: &mut Self::Memory) -> &mut CloudArrays<S, D, P> {
         &mut memory.cloud
+    }
+    fn ledger(memory: &Self::Memory) -> Option<&Ledger<S, D, P>> {
+        Some(&memory.ledger)
     }
 
     fn prepare(&self, engine: &mut Threads, memory: &mut Self::Memory) -> Result<(), Error> {

@@ -1,5 +1,6 @@
 //! What there is to see of a cloud of strengths.
 
+use super::balance::Source;
 use super::plan::Plan;
 use crate::run::{Abscissa, Description, Kind, View, fields};
 
@@ -15,6 +16,8 @@ pub(super) fn description(plan: &Plan) -> Description {
     for quantity in plan.names.iter().map(String::as_str).chain(["neighbours"]) {
         diagnostics.extend(["min", "mean", "max"].map(|part| format!("{quantity}_{part}")));
     }
+    let sources = Source::all(plan).into_iter();
+    diagnostics.extend(sources.map(|source| source.column(&plan.names)));
     Description {
         dimension,
         particles: plan.weights.len(),

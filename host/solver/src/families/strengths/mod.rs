@@ -1,11 +1,13 @@
 //! Clouds of strengths: what linear systems and convection-diffusion share. The plan, the memory
 //! and the simulation of both, over a solver of either.
 
+mod balance;
 mod description;
 mod doubts;
 mod field;
 mod geometry;
 mod growth;
+mod layers;
 mod memory;
 mod plan;
 mod quadrature;

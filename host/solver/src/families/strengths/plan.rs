@@ -13,6 +13,7 @@ use motes_core::scalar::Scalar;
 
 use super::doubts::doubts;
 use super::field::PlannedField;
+use super::layers;
 use super::quadrature::Quadrature;
 use crate::exact::linear::error::SolutionError;
 use crate::exact::solution::Solution;
@@ -120,6 +121,7 @@ impl Plan {
             ),
         };
         let time = units.length / units.velocity;
+        let layered = layers::check(scenario, scenario.cut_off.width.epsilon(spacing))?;
         let middle = std::array::from_fn(|i| scenario.domain.extent.middle(i));
         let solver_place = |x: &[f64; 3]| std::array::from_fn(|i| (x[i] - middle[i]) / spacing);
         let cell = spacing.powi(dimension as i32);
@@ -151,7 +153,10 @@ impl Plan {
             counts_always: scenario.output.snapshots.is_some(),
             growth_margin: scenario.time.growth_margin,
             is_conserving: is_conserving(scenario),
-            doubts: doubts(scenario, spacing, &quadrature.weights),
+            doubts: doubts(scenario, spacing, &quadrature.weights)
+                .into_iter()
+                .chain(layered)
+                .collect(),
         })
     }
 

@@ -8,6 +8,7 @@ use motes_core::error::Error;
 use motes_core::integrator::Clock;
 use motes_core::scalar::Scalar;
 
+use super::balance::{Source, balance};
 use super::description::description;
 use super::doubts::undamped;
 use super::growth::Monitor;
@@ -288,6 +289,11 @@ where
         for Spread { min, mean, max } in components.map(spread).chain([self.neighbours()]) {
             diagnostics.extend([min, mean, max]);
         }
+        if let Some(ledger) = V::ledger(&self.memory) {
+            let volume = self.plan.unit_of_volume();
+            let sources = Source::all(&self.plan).into_iter();
+            diagnostics.extend(sources.map(|source| volume * source.total(ledger)));
+        }
         Measures { diagnostics, sums }
     }
 
@@ -362,6 +368,7 @@ where
                 last: last(&norms),
                 bound: Some(bound).filter(|bound| bound.is_finite()),
             },
+            balance: balance(&self.plan, &outcome.series),
         })
     }
 }

@@ -1,5 +1,6 @@
 //! What both kinds of strengths need of their solver.
 
+use motes_core::equation::diffusion::Ledger;
 use motes_core::equation::linear::{Particle, Place};
 use motes_core::error::Error;
 
@@ -22,6 +23,12 @@ pub(in crate::families) trait Solver<S: HostScalar, const D: usize, const P: usi
     fn cloud(memory: &Self::Memory) -> &CloudArrays<S, D, P>;
     /// The same, to take a digest of.
     fn cloud_mut(memory: &mut Self::Memory) -> &mut CloudArrays<S, D, P>;
+
+    /// What has come in through walls and from reactions, where that is counted.
+    fn ledger(memory: &Self::Memory) -> Option<&Ledger<S, D, P>> {
+        let _ = memory;
+        None
+    }
 
     /// Checks a state and makes what the first step needs.
     fn prepare(&self, engine: &mut Threads, memory: &mut Self::Memory) -> Result<(), Error>;

@@ -1,0 +1,102 @@
+//! What changes the sums of the strengths, as far as it is counted: walls and reactions.
+
+use motes_core::equation::diffusion::Ledger;
+use motes_core::scalar::Scalar;
+
+use super::plan::Plan;
+use crate::run::{Balance, Series};
+use crate::scenario::linear::{Reaction, System, WallCondition};
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+const ENDS: [&str; 2] = ["lower", "upper"];
+
+/// Something that a component comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Source {
+    /// A wall, by direction and end; `None` for reactions.
+    wall: Option<(usize, usize)>,
+    component: usize,
+}
+
+impl Source {
+    /// All that a plan has: walls that something may pass, and reactions.
+    pub fn all(plan: &Plan) -> Vec<Self> {
+        let System::ConvectionDiffusion(problem) = &plan.system else {
+            return Vec::new();
+        };
+        let mut all = Vec::new();
+        for (axis, ends) in problem.walls.iter().enumerate() {
+            for (end, conditions) in ends.iter().enumerate() {
+                let passed = (0..conditions.len())
+                    .filter(|&component| conditions[component] != WallCondition::NoFlux);
+                all.extend(passed.map(|component| Self {
+                    wall: Some((axis, end)),
+                    component,
+                }));
+            }
+        }
+        if problem.reaction != Reaction::None {
+            all.extend((0..problem.species.len()).map(|component| Self {
+                wall: None,
+                component,
+            }));
+        }
+        all
+    }
+
+    /// The column of the time series.
+    pub fn column(self, names: &[String]) -> String {
+        let name = &names[self.component];
+        match self.wall {
+            Some((axis, end)) => format!("inflow_{}_{}_{name}", AXES[axis], ENDS[end]),
+            None => format!("reactions_{name}"),
+        }
+    }
+
+    /// What has come from it so far, in units of a strength of the solver.
+    pub fn total<S: Scalar, const D: usize, const P: usize>(self, ledger: &Ledger<S, D, P>) -> f64 {
+        let intake = match self.wall {
+            Some((axis, end)) => &ledger.walls[axis][end][self.component],
+            None => &ledger.reactions[self.component],
+        };
+        S::wide_to_f64(intake.total())
+    }
+}
+
+/// The balance of each component that something comes from.
+pub(super) fn balance(plan: &Plan, series: &Series) -> Vec<Balance> {
+    let sources = Source::all(plan);
+    let last = |name: &str| series.of(name).last().copied().unwrap_or(f64::NAN);
+    let of = |component: usize| {
+        let mine = sources
+            .iter()
+            .filter(|source| source.component == component);
+        let total = series.of(&format!("total_{}", plan.names[component]));
+        let (mut walls, mut reactions) = (Vec::new(), None);
+        for source in mine {
+            let value = last(&source.column(&plan.names));
+            match source.wall {
+                Some((axis, end)) => walls.push((format!("{}_{}", AXES[axis], ENDS[end]), value)),
+                None => reactions = Some(value),
+            }
+        }
+        let change = total
+            .last()
+            .zip(total.first())
+            .map_or(f64::NAN, |(b, a)| b - a);
+        let came = walls
+            .iter()
+            .map(|(_, value)| value)
+            .chain(&reactions)
+            .sum::<f64>();
+        Balance {
+            component: plan.names[component].clone(),
+            change,
+            walls: walls.into_iter().collect(),
+            reactions,
+            residual: change - came,
+        }
+    };
+    let has_any = |&component: &usize| sources.iter().any(|source| source.component == component);
+    (0..plan.names.len()).filter(has_any).map(of).collect()
+}

@@ -32,10 +32,9 @@ where
 {
     /// Whether anything may pass through a wall.
     pub(super) fn is_open(&self, walls: &Walls<S, D, P>) -> bool {
-        let closed = |condition: &Condition<S>| *condition == Condition::NoFlux;
         let sides = walls.iter().zip(&self.domain.axes);
         let mut ends = sides.flat_map(|(ends, axis)| ends.iter().zip(axis.sides));
-        ends.any(|(end, side)| side == Side::Mirror && !end.iter().all(closed))
+        ends.any(|(end, side)| side == Side::Mirror && !is_closed(end))
     }
 
     /// The walls in which an image is seen.
@@ -215,6 +214,12 @@ where
                 let Some(l) = nodes.get(partner.place) else {
                     return;
                 };
+                if !self
+                    .walls_of(&partner.image)
+                    .any(|wall| passes(&shared, &wall))
+                {
+                    return;
+                }
                 let bracket = law.bracket(&partner.apart(law, law.scale));
                 let factor = (k.weight * l.weight) * bracket;
                 let twice = self.twice([k, l], &partner.image, time);
@@ -282,6 +287,12 @@ where
                 let Some(l) = nodes.get(partner.place) else {
                     return;
                 };
+                if !self
+                    .walls_of(&partner.image)
+                    .any(|wall| passes(&shared, &wall))
+                {
+                    return;
+                }
                 let n = partner.r.map(|r| r * inverse);
                 let apart = partner.apart(law, law.0.scale);
                 let factor = (k.node.weight * l.node.weight) * law.0.factor(&apart);
@@ -389,6 +400,21 @@ pub(super) fn end_of<'a, S: Scalar, const D: usize, const P: usize>(
     wall: &Wall<S>,
 ) -> Option<&'a [Condition<S>; P]> {
     walls.get(wall.axis).and_then(|ends| ends.get(wall.end))
+}
+
+/// Whether no species passes.
+fn is_closed<S: Scalar, const P: usize>(conditions: &[Condition<S>; P]) -> bool {
+    conditions
+        .iter()
+        .all(|condition| *condition == Condition::NoFlux)
+}
+
+/// Whether something may pass through that wall.
+fn passes<S: Scalar, const D: usize, const P: usize>(
+    walls: &Walls<S, D, P>,
+    wall: &Wall<S>,
+) -> bool {
+    end_of(walls, wall).is_some_and(|conditions| !is_closed(conditions))
 }
 
 /// Remembers a particle that a wall reaches.

@@ -1,11 +1,12 @@
 //! What changes the sums of the strengths, as far as it is counted: walls and reactions.
 
+use motes_core::domain::Side;
 use motes_core::equation::diffusion::Ledger;
 use motes_core::scalar::Scalar;
 
 use super::plan::Plan;
 use crate::run::{Balance, Series};
-use crate::scenario::linear::{Reaction, System, WallCondition};
+use crate::scenario::linear::{Reaction, System};
 
 const AXES: [&str; 3] = ["x", "y", "z"];
 const ENDS: [&str; 2] = ["lower", "upper"];
@@ -19,17 +20,15 @@ pub(super) struct Source {
 }
 
 impl Source {
-    /// All that a plan has: walls that something may pass, and reactions.
+    /// All that a plan has: every wall, also those that let nothing through, and reactions.
     pub fn all(plan: &Plan) -> Vec<Self> {
         let System::ConvectionDiffusion(problem) = &plan.system else {
             return Vec::new();
         };
         let mut all = Vec::new();
-        for (axis, ends) in problem.walls.iter().enumerate() {
-            for (end, conditions) in ends.iter().enumerate() {
-                let passed = (0..conditions.len())
-                    .filter(|&component| conditions[component] != WallCondition::NoFlux);
-                all.extend(passed.map(|component| Self {
+        for (axis, sides) in plan.axes.iter().take(plan.dimension).enumerate() {
+            for end in (0..ENDS.len()).filter(|&end| sides.sides[end] == Side::Mirror) {
+                all.extend((0..problem.species.len()).map(|component| Self {
                     wall: Some((axis, end)),
                     component,
                 }));

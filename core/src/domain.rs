@@ -1,7 +1,7 @@
 //! The box a cloud lives in, its sides, and the two places that know what a position is:
 //! [`Offset::displacement`] and [`Domain::drift`].
 
-use crate::error::Error;
+use crate::error::{Error, Quantity};
 use crate::numbered::numbered;
 use crate::scalar::{Number, Scalar};
 
@@ -96,7 +96,8 @@ impl<S: Scalar, const D: usize> Domain<S, D> {
     /// Moves a position by `step`, through periodic sides and off walls.
     ///
     /// Returns for each direction whether it met a wall there: the velocity in that
-    /// direction is to be reversed. Errors: a step beyond the image of the domain.
+    /// direction is to be reversed. Errors: a step beyond the image of the domain, a step that is no
+    /// finite number.
     pub fn drift(
         &self,
         position: &mut [S; D],
@@ -107,6 +108,13 @@ impl<S: Scalar, const D: usize> Domain<S, D> {
         let components = position.iter_mut().zip(step).zip(&self.axes);
         for (((x, &dx), axis), reflected) in components.zip(&mut reflected) {
             let moved = *x + dx;
+            // Before a comparison, which a NaN passes.
+            if !moved.is_finite() {
+                return Err(Error::NotFinite {
+                    particle,
+                    quantity: Quantity::Position,
+                });
+            }
             let (below, above) = (moved < axis.lower, moved > axis.upper);
             *x = match axis.sides {
                 [Side::Periodic, _] if below => moved + (axis.upper - axis.lower),

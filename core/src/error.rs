@@ -52,6 +52,8 @@ pub enum Parameter {
     Acceleration,
     /// The state of what comes in.
     Inflow,
+    /// The factor of the stable time step, in (0, 1].
+    Courant,
 }
 
 /// An error of the core. `particle` is an id: the place in the caller's arrays.
@@ -117,7 +119,7 @@ pub enum Error {
         /// Id of the particle.
         particle: u32,
     },
-    /// A number set from outside that is not finite. The state has not met it.
+    /// A number set from outside that is not finite, or not in its range. The state has not met it.
     Parameter {
         /// Which.
         parameter: Parameter,
@@ -174,6 +176,7 @@ impl fmt::Display for Parameter {
             }
             Self::Acceleration => f.write_str("the external acceleration"),
             Self::Inflow => f.write_str("the state of the inflow"),
+            Self::Courant => f.write_str("courant"),
         }
     }
 }
@@ -235,6 +238,12 @@ impl fmt::Display for Error {
                 f,
                 "epsilon of particle {particle} did not settle: use a larger eta or a smaller \
                  time step"
+            ),
+            Self::Parameter {
+                parameter: Parameter::Courant,
+            } => f.write_str(
+                "courant, the factor of the stable time step, is out of range: need > 0 and at \
+                 most 1; the state is as it was",
             ),
             Self::Parameter { parameter } => write!(
                 f,

@@ -6,7 +6,7 @@ pub mod gas;
 pub mod linear;
 
 use crate::cloud::Columns;
-use crate::error::Error;
+use crate::error::{Error, Parameter};
 use crate::pairs::Engine;
 use crate::scalar::Scalar;
 
@@ -83,6 +83,16 @@ pub struct Step<S> {
     pub time: S,
     /// Its length.
     pub dt: S,
+}
+
+/// Refuses a factor of the stable time step that is not in (0, 1], NaN among them.
+pub(crate) fn check_courant<S: Scalar>(courant: S) -> Result<(), Error> {
+    match courant > S::ZERO && courant <= S::ONE {
+        true => Ok(()),
+        false => Err(Error::Parameter {
+            parameter: Parameter::Courant,
+        }),
+    }
 }
 
 /// A state, and what a step works in.

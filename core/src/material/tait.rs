@@ -14,7 +14,8 @@ pub struct Tait<S> {
 }
 
 impl<S: Scalar> Tait<S> {
-    /// A liquid with rest density `ρ0` > 0, sound speed `c0` > 0 at rest, and exponent `n`.
+    /// A liquid with rest density `ρ0` > 0, sound speed `c0` > 0 at rest, and exponent `n`; 1 where
+    /// it is 0. The work of a power is bounded whatever `n` is: see [`Scalar::powi`].
     pub fn new(density: f64, sound_speed: f64, exponent: u32) -> Self {
         let exponent = exponent.max(1);
         Self {

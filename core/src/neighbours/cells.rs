@@ -170,11 +170,13 @@ impl<'a, S: Scalar, const D: usize> Cells<'a, S, D> {
             .map_or([0; D], |site| self.grid.coordinates(&site.position))
     }
 
-    /// The end of the row that contains `cell`, in sorted order.
+    /// The end of the row that contains `cell`, in sorted order; 0 of a cell that there is not.
     #[inline]
     pub fn row_end(&self, cell: &[u32; D]) -> u32 {
         let along = D.saturating_sub(1);
-        let row = self.grid.index(cell) - cell.get(along).copied().unwrap_or(0);
-        self.span(row, row + self.grid.count(along) - 1).1
+        // Wraps for a cell beyond the grid alone, and a span beyond it is empty.
+        let place = cell.get(along).copied().unwrap_or(0);
+        let row = self.grid.index(cell).wrapping_sub(place);
+        self.span(row, row.wrapping_add(self.grid.last(along))).1
     }
 }

@@ -1,15 +1,23 @@
 //! The geometry of the cells.
 
 use crate::domain::{Domain, Offset, Side};
-use crate::error::{Container, Error};
+use crate::error::{Container, Error, Quantity};
 use crate::numbered::numbered;
 use crate::scalar::Scalar;
 
 use super::image::{Image, code};
 
 /// Cells that a cloud of `particles` may take, whatever its shape: beyond it, cells grow.
+///
+/// Below the largest number there is, also for 2^30 particles and more: a place beyond the last
+/// cell has a number of its own.
 pub const fn cell_bound(particles: u32) -> u32 {
-    particles.saturating_mul(4).saturating_add(128)
+    let bound = particles.saturating_mul(4).saturating_add(128);
+    if bound < u32::MAX {
+        bound
+    } else {
+        u32::MAX - 1
+    }
 }
 
 /// One direction of the grid.
@@ -44,13 +52,21 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
     /// one cell apart, four along the last direction.
     ///
     /// Errors: a domain upside down, a period below three reaches, two walls that are nearer than
-    /// one, a reach beyond [`Scalar::REACH_LIMIT`].
+    /// one, a reach beyond [`Scalar::REACH_LIMIT`], a position that is no finite number.
     pub fn fit(domain: &Domain<S, D>, positions: &[[S; D]], reach: S) -> Result<Self, Error> {
         // Not `reach > limit`: that would let a NaN pass.
         if !(reach > S::ZERO && reach < S::REACH_LIMIT) {
             return Err(Error::Range);
         }
-        let bound = u64::from(cell_bound(positions.len() as u32));
+        let lost = |x: &[S; D]| !x.iter().all(|component| component.is_finite());
+        if let Some(particle) = positions.iter().position(lost) {
+            return Err(Error::NotFinite {
+                particle: particle as u32,
+                quantity: Quantity::Position,
+            });
+        }
+        let particles = u32::try_from(positions.len()).unwrap_or(u32::MAX);
+        let bound = u64::from(cell_bound(particles));
         // 1/64: what rounding may move a position in units of cells, see CELL_LIMIT.
         let mut edge = reach + reach * S::from_f64(1.0 / 64.0);
         let bounds = extent(domain, positions)?;

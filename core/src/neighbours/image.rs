@@ -1,7 +1,5 @@
 //! Images: how particles are seen through the sides of a domain.
 
-use crate::numbered::numbered;
-
 /// How a run is seen along one direction.
 pub mod code {
     /// Not an image.
@@ -21,21 +19,31 @@ pub mod code {
 pub struct Image<const D: usize>(pub [u8; D]);
 
 impl<const D: usize> Image<D> {
+    /// Bits of a code; ten of them fit into a word.
+    const BITS: u32 = 3;
+    /// A word holds the codes of all directions: of more there is no [`Image::packed`].
+    const FITS: () = assert!(
+        D <= (u32::BITS / Self::BITS) as usize,
+        "the codes of so many directions do not fit into a word"
+    );
+
     /// The particles themselves.
     pub const SELF: Self = Self([code::DIRECT; D]);
 
     /// All codes in one word.
     pub fn packed(self) -> u32 {
+        let () = Self::FITS;
         self.0
             .iter()
-            .fold(0, |word, &code| word << 3 | u32::from(code))
+            .fold(0, |word, &code| word << Self::BITS | u32::from(code))
     }
 
     /// The image of that word.
     pub fn unpacked(word: u32) -> Self {
-        let mut codes = [0; D];
-        for (i, code) in numbered(codes.iter_mut().rev()) {
-            *code = (word >> (3 * i) & 7) as u8;
+        let () = Self::FITS;
+        let (mut codes, mut rest) = ([0; D], word);
+        for code in codes.iter_mut().rev() {
+            (*code, rest) = ((rest & 7) as u8, rest >> Self::BITS);
         }
         Self(codes)
     }

@@ -63,7 +63,8 @@ fn segments<S: Scalar, const D: usize>(
     };
     let beyond = high.saturating_add(window);
     if grid.is_periodic(axis) && beyond >= count {
-        push(0, beyond - count, code::LOW);
+        // No farther than the last cell, also of receivers beyond it.
+        push(0, (beyond - count).min(last), code::LOW);
     }
     push(low.saturating_sub(window), beyond.min(last), code::DIRECT);
     if grid.is_periodic(axis) && low < window {
@@ -134,6 +135,7 @@ impl<S: Scalar, const D: usize> Cells<'_, S, D> {
     /// Runs of all combinations of segments: slow directions cell by cell, the fast one
     /// whole.
     fn combine(&self, choices: &[Segments; D]) -> Runs<D> {
+        const { assert!(D > 0, "a grid has a direction at the least") }
         let mut runs = Runs::new();
         if choices.iter().any(|choice| choice.is_empty()) {
             return runs;
@@ -170,8 +172,9 @@ impl<S: Scalar, const D: usize> Cells<'_, S, D> {
                 axis -= 1;
                 let (segment, offset) = &mut place[axis];
                 if let Some(s) = choices[axis].get(*segment) {
+                    // At most the last cell: a segment that begins beyond it ends here.
                     *offset += 1;
-                    if s.first + *offset <= s.last {
+                    if s.first.saturating_add(*offset) <= s.last {
                         break;
                     }
                     (*segment, *offset) = (*segment + 1, 0);

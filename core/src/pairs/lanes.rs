@@ -35,12 +35,14 @@ pub struct Blocks<'a, 'c, S, const D: usize, const L: usize> {
 }
 
 impl<'a, 'c, S: Scalar, const D: usize, const L: usize> Blocks<'a, 'c, S, D, L> {
-    /// Cuts `start..end` into blocks at every `L` receivers and at ends of rows.
+    /// Cuts `start..end`, as far as there are receivers, into blocks at every `L` of them and at
+    /// ends of rows.
     pub fn new(cells: &'a Cells<'c, S, D>, start: usize, end: usize) -> Self {
+        const { assert!(L > 0, "a block has a lane at the least") }
         Self {
             cells,
             next: start,
-            end,
+            end: end.min(cells.sites().len()),
         }
     }
 }
@@ -93,7 +95,7 @@ pub fn lanes<K: Kernel, S: Scalar, const D: usize, const L: usize, W: Law<S, D>>
 ) -> bool {
     let mut pairs = PairBlock::zero();
     let mut word = 0;
-    let end = first + settled.len();
+    let end = first.saturating_add(settled.len());
     for block in Blocks::<S, D, L>::new(cells, first, end) {
         let receivers = Receivers::<S, D, L>::of(cells, block.start..block.end);
         if fresh && !find_candidates::<K, S, D, L>(cells, &block, &receivers, list) {

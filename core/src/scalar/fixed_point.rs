@@ -21,14 +21,20 @@ macro_rules! fixed_point {
     ($(#[$doc:meta])* $name:ident, $fixed:ident, $int:ty, $unsigned:ty, $wide:ty, $wide_unsigned:ty, $bits:literal) => {
         $(#[$doc])*
         ///
-        /// Formats that make sense have at least 8 integer bits (sums over neighbours) and
-        /// 8 fractional bits.
+        /// Has at least 8 integer bits (sums over neighbours) and 8 fractional bits: another
+        /// format does not compile.
         #[derive(Clone, Copy, Default)]
         #[repr(transparent)]
         pub struct $name<F: Unsigned>(pub $fixed<F>);
 
         impl<F: Unsigned> $name<F> {
-            const FRACTION: u32 = F::U32;
+            const FRACTION: u32 = {
+                assert!(
+                    F::U32 >= 8 && F::U32 + 8 < $bits,
+                    "a format has at least 8 integer and 8 fractional bits"
+                );
+                F::U32
+            };
             const HALF: $wide = (1 << Self::FRACTION) >> 1;
             // 3 r² < 2^(bits-1) in this format.
             const LIMIT: $int =
@@ -37,6 +43,8 @@ macro_rules! fixed_point {
             /// The number with this bit pattern: `bits / 2^F`.
             #[inline(always)]
             pub const fn from_bits(bits: $int) -> Self {
+                // Looked at here, a format without room for its sums makes no number at all.
+                let _ = Self::FRACTION;
                 Self($fixed::from_bits(bits))
             }
             /// The bit pattern: `self * 2^F`.
@@ -189,6 +197,9 @@ macro_rules! fixed_point {
             }
             #[inline(always)]
             fn dot<const D: usize>(a: &[Self; D], b: &[Self; D]) -> Self {
+                if D == 0 {
+                    return Self::ZERO;
+                }
                 let mut sum = Self::product(a[0], b[0]);
                 for i in 1..D {
                     sum = Self::wide_sum(sum, Self::product(a[i], b[i]));
@@ -204,11 +215,11 @@ macro_rules! fixed_point {
 
         impl<F: Unsigned + Copy + Send + Sync + 'static> Scalar for $name<F> {
             const ZERO: Self = Self::from_bits(0);
-            const ONE: Self = Self::from_bits(1 << F::U32);
+            const ONE: Self = Self::from_bits(1 << Self::FRACTION);
             const BYTES: usize = size_of::<$int>();
             const REACH_LIMIT: Self = Self::from_bits(Self::LIMIT);
             const CELL_LIMIT: u32 = 1 << 30;
-            const EXTRAPOLATION: Self = Self::from_bits(1 << (F::U32 - F::U32 / 2));
+            const EXTRAPOLATION: Self = Self::from_bits(1 << (Self::FRACTION - Self::FRACTION / 2));
             const TINIEST: Self = Self::from_bits(1);
             const LARGEST: Self = Self::from_bits(<$int>::MAX);
 

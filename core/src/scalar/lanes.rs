@@ -108,6 +108,9 @@ impl<S: Scalar, const L: usize> Number for Lanes<S, L> {
     }
     #[inline(always)]
     fn dot<const D: usize>(a: &[Self; D], b: &[Self; D]) -> Self {
+        if D == 0 {
+            return Self::zero();
+        }
         // Component by component, all lanes at once: the order that the compiler vectorises.
         let mut sum = [S::product(S::ZERO, S::ZERO); L];
         for i in 0..L {

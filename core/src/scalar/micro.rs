@@ -93,6 +93,9 @@ impl Number for Micro {
     }
     #[inline(always)]
     fn dot<const D: usize>(a: &[Self; D], b: &[Self; D]) -> Self {
+        if D == 0 {
+            return Self::ZERO;
+        }
         let mut sum = Self::product(a[0], b[0]);
         for i in 1..D {
             sum = Self::wide_sum(sum, Self::product(a[i], b[i]));

@@ -58,7 +58,8 @@ pub trait Number:
     fn below(self, bound: Self) -> Self;
     /// Whether any lane is below its bound.
     fn any_below(self, bound: Self) -> bool;
-    /// `Σ_i a_i b_i`; in fixed point the sum is exact in double width and rounded once.
+    /// `Σ_i a_i b_i`, 0 of no components; in fixed point the sum is exact in double width and
+    /// rounded once.
     fn dot<const D: usize>(a: &[Self; D], b: &[Self; D]) -> Self;
     /// `|r|²`, cut off so that it cannot wrap: beyond [`Scalar::REACH_LIMIT`] it is only "far".
     fn length_squared<const D: usize>(r: &[Self; D]) -> Self;
@@ -158,12 +159,24 @@ pub trait Scalar: Number<Scalar = Self> + PartialOrd + Debug + Send + Sync + 'st
     fn greater(self, other: Self) -> Self {
         Number::max(self, other)
     }
-    /// `selfⁿ` by repeated multiplication.
+    /// `selfⁿ`: by repeated multiplication for `n` up to 16, beyond by repeated squaring, so that no
+    /// exponent takes more than 64 products.
     #[inline(always)]
     fn powi(self, n: usize) -> Self {
         let mut power = Self::ONE;
-        for _ in 0..n {
-            power = power * self;
+        if n <= 16 {
+            for _ in 0..n {
+                power = power * self;
+            }
+            return power;
+        }
+        let mut bit = usize::BITS - n.leading_zeros();
+        while bit > 0 {
+            bit -= 1;
+            power = power * power;
+            if n >> bit & 1 == 1 {
+                power = power * self;
+            }
         }
         power
     }

@@ -6,6 +6,7 @@ use super::storage::DiffusionWorkspace;
 use crate::cloud::{State, VelocityField};
 use crate::cutoff::{CutOff, slope};
 use crate::domain::Domain;
+use crate::equation::check_courant;
 use crate::error::{Error, Quantity};
 use crate::numbered::numbered;
 use crate::scalar::Scalar;
@@ -102,6 +103,7 @@ where
     /// The step to make: `courant reach / Λ`, where an explicit method is stable up to `λ dt =
     /// -reach`; at most an eighth of `courant / |∇a|`, and at most `longest`.
     pub fn time_step(&self, radius: S, reach: S, longest: S) -> Result<S, Error> {
+        check_courant(self.courant)?;
         let mut step = longest;
         if radius > S::ZERO {
             step = step.lesser(self.courant * (reach / radius));

@@ -2,6 +2,7 @@
 
 use crate::cutoff::CutOff;
 use crate::domain::Domain;
+use crate::equation::check_courant;
 use crate::error::{Error, Quantity};
 use crate::material::EquationOfState;
 use crate::numbered::numbered;
@@ -73,12 +74,13 @@ where
     }
 
     /// The stable time step `C min_k ε_k/signal_k` of a state that has been prepared, or
-    /// `longest` if that is shorter.
+    /// `longest` if that is shorter. Error: a [`GasDynamics::courant`] out of its range.
     ///
     /// The signal speed of a particle is the largest of that of its viscosity
     /// ([`Viscosity::signal`]), to which `8 (ν + χ)/ε` of the physical diffusivities is added,
     /// and of `√(ε |a|)`, `|a|` the largest component of its acceleration.
     pub fn time_step(&self, gas: &Gas<'_, S, D>, longest: S) -> Result<S, Error> {
+        check_courant(self.courant)?;
         let mut smallest = longest;
         for (particle, (&epsilon, &signal)) in numbered(gas.epsilon.iter().zip(gas.signal.iter())) {
             // A gas without sound and motion bounds nothing.

@@ -2,6 +2,7 @@
 
 use crate::cutoff::{CutOff, slope};
 use crate::domain::Domain;
+use crate::equation::check_courant;
 use crate::error::{Error, Quantity};
 use crate::scalar::Scalar;
 
@@ -102,6 +103,7 @@ where
         stability: Stability,
         longest: S,
     ) -> Result<S, Error> {
+        check_courant(self.courant)?;
         let mut step = longest;
         if let Some(stable) = self.stable_step(state, time, stability) {
             step = step.lesser(self.courant * stable);

@@ -2,7 +2,7 @@
 
 use std::fmt::Debug;
 
-use fixed::types::extra::{U16, U19, U32, U63};
+use fixed::types::extra::{U16, U19, U32, U55};
 use proptest::prelude::*;
 
 use crate::scalar::{Checked, Micro, Q32, Q64, Scalar};
@@ -20,7 +20,7 @@ macro_rules! for_every_scalar {
         $test::<Q15_16>($($argument),*)?;
         $test::<Q12_19>($($argument),*)?;
         $test::<Q31_32>($($argument),*)?;
-        $test::<Q64<U63>>($($argument),*)?;
+        $test::<Q64<U55>>($($argument),*)?;
         $test::<Checked<Q12_19>>($($argument),*)?;
         $test::<Checked<f32>>($($argument),*)?;
     };
@@ -71,7 +71,7 @@ proptest! {
         prop_assert_eq!(Q15_16::from_f64(value).to_bits(), scaled(16) as i32);
         prop_assert_eq!(Q12_19::from_f64(value).to_bits(), scaled(19) as i32);
         prop_assert_eq!(Q31_32::from_f64(value).to_bits(), scaled(32) as i64);
-        prop_assert_eq!(Q64::<U63>::from_f64(value).to_bits(), scaled(63) as i64);
+        prop_assert_eq!(Q64::<U55>::from_f64(value).to_bits(), scaled(55) as i64);
     }
 
     #[test]

@@ -23,22 +23,23 @@ impl<'a> Arranger<'a> {
         }
     }
 
-    /// Points in a box, of about this volume each; at least one.
+    /// Points in a box, of about this volume each; at least one. `asked`: about how many.
     pub(super) fn points(
         &mut self,
         block: &Block,
         volume: f64,
+        asked: f64,
     ) -> Result<Vec<[f64; 3]>, SetupError> {
         let resolution = self.resolution;
         let mut points = match (&resolution.arrangement, block.dimension) {
-            (_, 1) => line::points(block, volume),
-            (Arrangement::Hexagonal, _) => hexagonal::points(block, volume),
-            (Arrangement::ClosePacked, _) => close_packed::points(block, volume),
+            (_, 1) => line::points(block, volume, asked)?,
+            (Arrangement::Hexagonal, _) => hexagonal::points(block, volume, asked)?,
+            (Arrangement::ClosePacked, _) => close_packed::points(block, volume, asked)?,
             (_, 2) => match resolution.rotation {
-                Some(rotation) => square::turned(block, volume, rotation)?,
-                None => square::points(block, volume),
+                Some(rotation) => square::turned(block, volume, asked, rotation)?,
+                None => square::points(block, volume, asked)?,
             },
-            _ => cubic::points(block, volume),
+            _ => cubic::points(block, volume, asked)?,
         };
         if resolution.anchor == Anchor::Corner {
             into_the_corner(block, &mut points);

@@ -1,6 +1,28 @@
 //! The box that a lattice fills.
 
+use super::SetupError;
 use crate::scenario::{Domain, Extent, Side};
+
+/// How many times as many points as were asked for a lattice may have: rounding to whole spacings
+/// gives no more, unless the box is thinner than one.
+const MOST_FITTED: f64 = 2.0;
+
+/// So many points more than that a lattice may have: a handful is rounded coarsely.
+const FEW: f64 = 8.0;
+
+/// An empty list with room for the points of a lattice with so many along each direction, where
+/// about `asked` of them were wanted.
+pub(super) fn room(counts: [usize; 3], asked: f64) -> Result<Vec<[f64; 3]>, SetupError> {
+    // As an f64: the shape of a box may ask for more than an integer holds.
+    let fitted: f64 = counts.iter().map(|&count| count as f64).product();
+    if !(fitted <= MOST_FITTED * asked + FEW) {
+        return Err(SetupError::Flat { fitted, asked });
+    }
+    let mut points = Vec::new();
+    let reserved = points.try_reserve_exact(fitted as usize);
+    reserved.map_err(|_| SetupError::Room { particles: fitted })?;
+    Ok(points)
+}
 
 /// A box to be filled with points; components beyond the dimension are 0 to 0.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,7 +68,7 @@ impl Block {
     /// As [`Self::fitted`], but even where the direction is periodic, for layers that alternate.
     pub(super) fn fitted_layers(&self, i: usize, spacing: f64) -> usize {
         if self.periodic[i] {
-            2 * self.fitted(i, 2.0 * spacing)
+            self.fitted(i, 2.0 * spacing).saturating_mul(2)
         } else {
             self.fitted(i, spacing)
         }

@@ -1,17 +1,18 @@
 //! Hexagonal close packing in three dimensions.
 
-use super::block::Block;
+use super::SetupError;
+use super::block::{Block, room};
 
 /// Triangular layers, stacked A B A B along z `sqrt(2/3)` spacings apart: each B stands over
 /// the holes of A. Rows and layers are stretched to fit and even in number where their
 /// direction is periodic.
-pub(super) fn points(block: &Block, volume: f64) -> Vec<[f64; 3]> {
+pub(super) fn points(block: &Block, volume: f64, asked: f64) -> Result<Vec<[f64; 3]>, SetupError> {
     // Two particles in a cell of a * sqrt(3) a / 2 * 2 sqrt(2/3) a: each has a^3 / sqrt(2).
     let a = libm::cbrt(2f64.sqrt() * volume);
     let columns = block.fitted(0, a);
     let rows = block.fitted_layers(1, a * 3f64.sqrt() / 2.0);
     let layers = block.fitted_layers(2, a * (2.0 / 3f64).sqrt());
-    let mut points = Vec::with_capacity(columns * rows * layers);
+    let mut points = room([columns, rows, layers], asked)?;
     for i in 0..columns {
         for j in 0..rows {
             for k in 0..layers {
@@ -27,5 +28,5 @@ pub(super) fn points(block: &Block, volume: f64) -> Vec<[f64; 3]> {
             }
         }
     }
-    points
+    Ok(points)
 }

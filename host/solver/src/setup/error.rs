@@ -45,6 +45,43 @@ pub enum SetupError {
         /// Particles of its smallest cell.
         cell: u64,
     },
+    /// A lattice of far more points than were asked for.
+    #[error(
+        "the lattice that fits has {fitted:.3e} particles where {asked:.3e} were asked for: \
+         the box is thinner than their spacing in some direction"
+    )]
+    #[diagnostic(help(
+        "leave the thin direction out (a lower dimension), make the domain or region less flat, or \
+         use more particles (-n, resolution.particles)"
+    ))]
+    Flat {
+        /// How many there would be.
+        fitted: f64,
+        /// How many there should be.
+        asked: f64,
+    },
+    /// An inflow so dense that one layer of it outnumbers the gas.
+    #[error(
+        "a layer of the inflow would have {fitted:.3e} particles, the whole gas at the start has \
+         {particles}"
+    )]
+    #[diagnostic(help(
+        "bring inflow.density nearer to that of the gas, set resolution.share = \"volume\", or use \
+         more particles (-n, resolution.particles)"
+    ))]
+    Inflow {
+        /// How many a layer would have.
+        fitted: f64,
+        /// How many there are at the start.
+        particles: usize,
+    },
+    /// No memory for the points.
+    #[error("there is no memory for {particles:.0} particles")]
+    #[diagnostic(help("use fewer particles (-n, resolution.particles)"))]
+    Room {
+        /// How many.
+        particles: f64,
+    },
     /// A glass that the engine cannot relax.
     #[error("cannot relax the glass: {source}")]
     #[diagnostic(help(

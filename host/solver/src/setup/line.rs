@@ -1,17 +1,19 @@
 //! One dimension: stretches of equally spaced particles, their number exact.
 
 use super::arrange::Arranger;
-use super::block::Block;
+use super::block::{Block, room};
 use super::regions::filled;
 use super::{Placed, SetupError, apportion};
 use crate::scenario::{Extent, Region, Scenario, Share};
 
 /// The middles of equal cells of about this length.
-pub(super) fn points(block: &Block, length: f64) -> Vec<[f64; 3]> {
+pub(super) fn points(block: &Block, length: f64, asked: f64) -> Result<Vec<[f64; 3]>, SetupError> {
     let n = block.fitted(0, length);
+    let mut points = room([n, 1, 1], asked)?;
     let spacing = block.length(0) / n as f64;
     let at = |k: usize| [block.lower[0] + spacing * (k as f64 + 0.5), 0.0, 0.0];
-    (0..n).map(at).collect()
+    points.extend((0..n).map(at));
+    Ok(points)
 }
 
 /// The particles of the regions of a scenario.
@@ -41,7 +43,8 @@ pub(super) fn place(scenario: &Scenario) -> Result<Vec<Placed>, SetupError> {
             upper: vec![ends[1]],
         };
         let block = Block::new(&extent, &scenario.domain);
-        let points = arranger.points(&block, length(ends) / f64::from(count))?;
+        let count = f64::from(count);
+        let points = arranger.points(&block, length(ends) / count, count)?;
         let region: &Region = &scenario.regions[*region];
         particles.extend(filled(scenario, region, length(ends), &points));
     }

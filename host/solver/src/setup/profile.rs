@@ -16,14 +16,14 @@ pub(super) fn place(profile: &Profile, scenario: &Scenario) -> Result<Vec<Placed
     let resolution = &scenario.resolution;
     let even = resolution.arrangement == Arrangement::EqualMass && resolution.share == Share::Mass;
     if resolution.arrangement == Arrangement::Sampled || even && !profile.is_uniform() {
-        let (points, mass) = sampled::points(&block, resolution.particles, &state);
+        let (points, mass) = sampled::points(&block, resolution.particles, &state)?;
         return Ok(points
             .into_iter()
             .map(|point| placed(scenario, state(point), point, mass))
             .collect());
     }
-    let volume = block.volume() / resolution.particles as f64;
-    let points = Arranger::new(scenario).points(&block, volume)?;
+    let asked = resolution.particles as f64;
+    let points = Arranger::new(scenario).points(&block, block.volume() / asked, asked)?;
     let volume = block.volume() / points.len() as f64;
     let place = |point| {
         let state = state(point);

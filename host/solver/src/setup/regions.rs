@@ -5,6 +5,10 @@ use super::block::Block;
 use super::{Placed, SetupError};
 use crate::scenario::{Ball, Extent, Region, Scenario, Share};
 
+/// How many times as many points as a ball keeps the lattice around it may have: a quarter of a ball
+/// may lie in the domain, and its box is 1.3 to 1.9 times as large.
+const MOST_AROUND: f64 = 8.0;
+
 /// The particles of the regions of a scenario.
 ///
 /// A ball takes over the particles of the lattice under it, in its own state; where that
@@ -21,7 +25,7 @@ pub(super) fn place(scenario: &Scenario) -> Result<Vec<Placed>, SetupError> {
         let block = Block::new(&region.extent, &scenario.domain);
         let volume = of_one.volume(region);
         refuse_empty(number, block.volume() / volume)?;
-        let points = arranger.points(&block, volume)?;
+        let points = arranger.points(&block, volume, block.volume() / volume)?;
         particles.extend(filled(scenario, region, block.volume(), &points));
     }
     for (number, region) in scenario.regions.iter().enumerate() {
@@ -38,9 +42,11 @@ pub(super) fn place(scenario: &Scenario) -> Result<Vec<Placed>, SetupError> {
         let inside = |point: &[f64; 3]| holds(ball, &point[..scenario.dimension]);
         particles.retain(|particle| !inside(&particle.position));
         let volume = clipped(ball, &scenario.domain.extent);
-        refuse_empty(number, volume / of_one.volume(region))?;
+        let share = volume / of_one.volume(region);
+        refuse_empty(number, share)?;
         let block = Block::new(&ball.extent(), &scenario.domain);
-        let mut points = arranger.points(&block, of_one.volume(region))?;
+        let asked = MOST_AROUND * share;
+        let mut points = arranger.points(&block, of_one.volume(region), asked)?;
         points.retain(|point| inside(point) && in_domain(scenario, point));
         refuse_empty(number, points.len() as f64)?;
         particles.extend(filled(scenario, region, volume, &points));

@@ -5,7 +5,8 @@
 //! its part of the whole; then y likewise along the line at that x, then z. In one dimension
 //! each particle stands at the median of its own mass.
 
-use super::block::{Block, spacing};
+use super::SetupError;
+use super::block::{Block, room, spacing};
 use crate::exact::flow::FlowState;
 
 /// Points of equal mass, about as many as asked for (in one dimension exactly), and the mass
@@ -14,23 +15,24 @@ pub(super) fn points(
     block: &Block,
     particles: usize,
     state: &dyn Fn([f64; 3]) -> FlowState,
-) -> (Vec<[f64; 3]>, f64) {
+) -> Result<(Vec<[f64; 3]>, f64), SetupError> {
     let edge = spacing(block.volume() / particles as f64, block.dimension);
+    let counts = [0, 1, 2].map(|i| match (block.dimension, i) {
+        (1, 0) => particles,
+        (dimension, i) if i < dimension => block.fitted(i, edge),
+        _ => 1,
+    });
     let mut sampler = Sampler {
         block,
         state,
-        counts: [0, 1, 2].map(|i| match block.dimension {
-            1 => particles,
-            dimension if i < dimension => block.fitted(i, edge),
-            _ => 1,
-        }),
-        points: Vec::new(),
+        counts,
+        points: room(counts, particles as f64)?,
     };
     let mass = sampler.marginal([0.0; 3], 0);
     sampler.place([0.0; 3], 0);
     let points = sampler.points;
     let mass = mass / points.len() as f64;
-    (points, mass)
+    Ok((points, mass))
 }
 
 /// Cells of the quadrature along each direction. The densities between two nodes are a

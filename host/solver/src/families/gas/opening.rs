@@ -5,6 +5,7 @@ use motes_core::equation::gas::{Inflow, Opening, Particle, Zone};
 use motes_core::scalar::Scalar;
 
 use crate::scenario::{self, Scenario, Share, Side};
+use crate::setup::SetupError;
 use crate::units::SolverUnits;
 
 /// What is beyond inflow and outflow sides: the `f64` twin of [`Opening`].
@@ -54,12 +55,16 @@ impl OpenSides {
         axes: &[Axis<f64>; 3],
         support: f64,
         particles: &[Particle<f64, 3>],
-    ) -> Option<Self> {
-        let axis = scenario.domain.open_direction()?;
+    ) -> Result<Option<Self>, SetupError> {
+        let Some(axis) = scenario.domain.open_direction() else {
+            return Ok(None);
+        };
+        let most = particles.len();
         let incoming = scenario
             .inflow
             .as_ref()
-            .map(|inflow| Incoming::new(inflow, scenario, units, axes, (axis, support)));
+            .map(|inflow| Incoming::new(inflow, scenario, units, axes, (axis, support, most)));
+        let incoming = incoming.transpose()?;
         let widest = match scenario.cut_off.width {
             scenario::Width::Constant { epsilon } => epsilon / units.length,
             scenario::Width::Adaptive { .. } => particles
@@ -73,10 +78,10 @@ impl OpenSides {
             (Side::Outflow, _) => OpenZone::Outflow(DEPTH * support * widest),
             _ => OpenZone::Shut,
         };
-        Some(Self {
+        Ok(Some(Self {
             axis,
             zones: scenario.domain.sides[axis].map(zone),
-        })
+        }))
     }
 
     /// What comes in.
@@ -124,13 +129,16 @@ impl Incoming {
     /// A square or cubic lattice, as fine as the scenario's share says: of equal masses or of
     /// equal volumes. Across the flow it fits the domain; along the flow it is stretched by as
     /// much as it is squeezed there.
+    ///
+    /// # Errors
+    /// A layer of more particles than the gas has at the start.
     fn new(
         inflow: &scenario::Inflow,
         scenario: &Scenario,
         units: &SolverUnits,
         axes: &[Axis<f64>; 3],
-        (axis, support): (usize, f64),
-    ) -> Self {
+        (axis, support, most): (usize, f64, usize),
+    ) -> Result<Self, SetupError> {
         let density = inflow.density / units.density();
         // The mean mass is 1, and the mean volume.
         let volume = match scenario.resolution.share {
@@ -147,6 +155,13 @@ impl Incoming {
         for i in (0..scenario.dimension).filter(|&i| i != axis) {
             let length = axes[i].upper - axes[i].lower;
             let count = (length / mean).round().max(1.0);
+            let fitted = count * layer.len() as f64;
+            if !(fitted <= most as f64 + 8.0) {
+                return Err(SetupError::Inflow {
+                    fitted,
+                    particles: most,
+                });
+            }
             let cell = length / count;
             let places = (0..count as usize).map(|k| axes[i].lower + cell * (k as f64 + 0.5));
             let places: Vec<f64> = places.collect();
@@ -175,7 +190,7 @@ impl Incoming {
             }
             scenario::Width::Constant { epsilon } => (mean, epsilon / units.length),
         };
-        Self {
+        Ok(Self {
             particle: Particle {
                 position: [0.0; 3],
                 velocity,
@@ -188,7 +203,7 @@ impl Incoming {
             spacing,
             layer,
             depth: (DEPTH * support * width).max(2.0 * spacing),
-        }
+        })
     }
 }
 

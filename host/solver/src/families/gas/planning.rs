@@ -60,7 +60,7 @@ impl Plan {
             units,
             middle,
             axes: frame.axes(),
-            opening: OpenSides::new(scenario, &units, &frame.axes(), support, &particles),
+            opening: OpenSides::new(scenario, &units, &frame.axes(), support, &particles)?,
             particles,
             stretches,
             materials: scenario

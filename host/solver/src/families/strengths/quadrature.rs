@@ -29,6 +29,21 @@ pub enum QuadratureError {
         /// How many were asked for.
         particles: usize,
     },
+    /// A lattice of far more points than were asked for.
+    #[error(
+        "the lattice that fits has {fitted:.3e} particles where {particles} were asked for: the \
+         domain is thinner than their spacing in some direction"
+    )]
+    #[diagnostic(help(
+        "leave the thin direction out (a lower dimension), or use more particles (-n, \
+         resolution.particles)"
+    ))]
+    Flat {
+        /// How many there would be.
+        fitted: f64,
+        /// How many were asked for.
+        particles: usize,
+    },
     /// A file that is no cloud.
     #[error(transparent)]
     #[diagnostic(transparent)]
@@ -57,8 +72,8 @@ impl Quadrature {
         let extent = &scenario.domain.extent;
         let particles = scenario.resolution.particles;
         Ok(match &scenario.resolution.arrangement {
-            Arrangement::Lattice => lattice(extent, particles),
-            Arrangement::Distorted { amplitude } => distorted(extent, particles, *amplitude),
+            Arrangement::Lattice => lattice(extent, particles)?,
+            Arrangement::Distorted { amplitude } => distorted(extent, particles, *amplitude)?,
             Arrangement::LowDiscrepancy => low_discrepancy(extent, particles),
             Arrangement::File(path) => file(path, scenario)?,
         })
@@ -103,8 +118,15 @@ fn counts(extent: &Extent, particles: usize) -> [usize; 3] {
 }
 
 /// The middles of equal cells (2.1), as parts of the lengths; the last direction runs fastest.
-fn middles(extent: &Extent, particles: usize) -> Vec<[f64; 3]> {
+///
+/// # Errors
+/// More than twice as many as were asked for, a handful aside.
+fn middles(extent: &Extent, particles: usize) -> Result<Vec<[f64; 3]>, QuadratureError> {
     let counts = counts(extent, particles);
+    let fitted: f64 = counts.iter().map(|&count| count as f64).product();
+    if !(fitted <= 2.0 * particles as f64 + 8.0) {
+        return Err(QuadratureError::Flat { fitted, particles });
+    }
     let middle = |k: usize, n: usize| (k as f64 + 0.5) / n as f64;
     let [nx, ny, nz] = counts;
     let mut middles = Vec::with_capacity(nx * ny * nz);
@@ -114,21 +136,25 @@ fn middles(extent: &Extent, particles: usize) -> Vec<[f64; 3]> {
             middles.extend(plane);
         }
     }
-    middles
+    Ok(middles)
 }
 
 /// (2.1): the middles of equal cells.
-fn lattice(extent: &Extent, particles: usize) -> Quadrature {
+fn lattice(extent: &Extent, particles: usize) -> Result<Quadrature, QuadratureError> {
     distorted(extent, particles, 0.0)
 }
 
 /// The lattice under the map `s_i -> s_i + α sin 2πs_i Π_(j≠i) cos 2πs_j` of the unit box onto
 /// itself, weights `h^D det`: a smooth map, so that the order of (2.1) is kept (1.10). One to one
 /// for `2πα < 1`.
-fn distorted(extent: &Extent, particles: usize, amplitude: f64) -> Quadrature {
+fn distorted(
+    extent: &Extent,
+    particles: usize,
+    amplitude: f64,
+) -> Result<Quadrature, QuadratureError> {
     let dimension = extent.lower.len();
     let volume: f64 = lengths(extent).iter().product();
-    let middles = middles(extent, particles);
+    let middles = middles(extent, particles)?;
     let cell = volume / middles.len() as f64;
     let (mut positions, mut weights) = (Vec::new(), Vec::new());
     for s in middles {
@@ -163,11 +189,11 @@ fn distorted(extent: &Extent, particles: usize, amplitude: f64) -> Quadrature {
         let determinant = slope(0, 0) * minor(0) - slope(0, 1) * minor(1) + slope(0, 2) * minor(2);
         weights.push(cell * determinant);
     }
-    Quadrature {
+    Ok(Quadrature {
         positions,
         weights,
         values: None,
-    }
+    })
 }
 
 /// Roberts' sequence (2018): `s_i = frac(1/2 + k/φ^(i+1))`, `φ^(D+1) = φ + 1`, of low discrepancy;

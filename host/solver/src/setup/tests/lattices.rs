@@ -180,3 +180,76 @@ fn a_turned_lattice_that_does_not_fit_is_refused() {
         "{error}"
     );
 }
+
+/// The shape of a box alone may ask for more particles than there is memory: it is refused before.
+#[test]
+fn a_box_thinner_than_the_spacing_is_refused_and_not_filled_without_end() {
+    let flat = |dimension: usize, resolution: &str, gas: &str| {
+        let corners = match dimension {
+            2 => "lower = [0.0, 0.0]\nupper = [1.0, 3e13]",
+            _ => "lower = [0.0, 0.0, 0.0]\nupper = [1e9, 1.0, 1e9]",
+        };
+        let sides = format!("{corners}\nsides = {:?}", vec!["mirror"; dimension]);
+        let velocity = vec![0.0; dimension];
+        let gas = gas.replace("BOX", corners);
+        let gas = gas.replace(
+            "STATE",
+            &format!("density = 2.0\nvelocity = {velocity:?}\npressure = 1.0"),
+        );
+        let text = text(
+            dimension,
+            &sides,
+            &gas,
+            &format!("particles = 90\n{resolution}"),
+        );
+        match particles(&scenario(&text)) {
+            Err(error) => error.to_string(),
+            Ok(particles) => panic!("{} particles: {resolution}", particles.len()),
+        }
+    };
+    let boxed = format!("[[region]]\nBOX\nSTATE\n{IDEAL}");
+    for (arrangement, dimension, ..) in lattices() {
+        // Turned lattices are for periodic sides.
+        if !arrangement.contains("rotation") {
+            let error = flat(dimension, arrangement, &boxed);
+            assert!(
+                error.contains("thinner than their spacing"),
+                "{arrangement}: {error}"
+            );
+        }
+    }
+    let glass = flat(2, "arrangement = \"glass\"", &boxed);
+    assert!(glass.contains("thinner"), "{glass}");
+    let profile =
+        format!("[profile]\nkind = \"noh\"\ndensity = 1.0\nspeed = 1.0\npressure = 1e-6\n{IDEAL}");
+    let sampled = flat(2, "arrangement = \"sampled\"", &profile);
+    assert!(sampled.contains("thinner"), "{sampled}");
+}
+
+/// A thin box of which the lattice has no more than twice the particles is none of those.
+#[test]
+fn a_box_of_a_few_spacings_is_filled() {
+    let sides = "lower = [0.0, 0.0]\nupper = [30.0, 1.0]\nsides = [\"mirror\", \"mirror\"]";
+    let gas = format!(
+        "[[region]]\nlower = [0.0, 0.0]\nupper = [30.0, 1.0]\ndensity = 2.0\nvelocity = [0.0, 0.0]\n\
+         pressure = 1.0\n{IDEAL}"
+    );
+    let text = text(2, sides, &gas, "particles = 30\narrangement = \"square\"");
+    assert_eq!(particles(&scenario(&text)).unwrap().len(), 30);
+}
+
+/// A ball far larger than the domain would have a lattice as large as itself.
+#[test]
+fn a_ball_that_leaves_the_domain_far_behind_is_refused() {
+    let sides = "lower = [0.0, 0.0]\nupper = [1.0, 1.0]\nsides = [\"mirror\", \"mirror\"]";
+    let state = "velocity = [0.0, 0.0]\npressure = 1.0";
+    let gas = format!(
+        "[[region]]\nlower = [0.0, 0.0]\nupper = [1.0, 1.0]\ndensity = 2.0\n{state}\n\
+         [[region]]\ncenter = [1e9, 0.5]\nradius = 999999999.5\ndensity = 9.0\n{state}\n{IDEAL}"
+    );
+    let text = text(2, sides, &gas, "particles = 200\narrangement = \"square\"");
+    assert!(matches!(
+        particles(&scenario(&text)),
+        Err(SetupError::Flat { .. })
+    ));
+}

@@ -64,7 +64,7 @@ scalars! {
 
 /// A name that no scalar has.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
-#[error("unknown scalar `{name}`")]
+#[error("unknown scalar `{}`", crate::scenario::shortened(name))]
 #[diagnostic(help("this build has {}{}", ScalarName::list(), ScalarName::more()))]
 pub struct UnknownScalar {
     /// The name.

@@ -9,6 +9,7 @@ use crate::error::Fault;
 use crate::keys::Family;
 use crate::problem::Problem;
 use crate::section::Section;
+use crate::snippet::{shortened, shortened_sentence};
 
 type Value<'a> = Spanned<DeValue<'a>>;
 
@@ -81,8 +82,8 @@ impl<'a> Entry<'a> {
         self.fault(Problem::DoesNotFit {
             key: self.key.clone(),
             value: self.shown(),
-            reason,
-            cure: cure.to_owned(),
+            reason: shortened_sentence(&reason),
+            cure: shortened_sentence(cure),
         })
     }
 
@@ -104,10 +105,16 @@ impl<'a> Entry<'a> {
         need: &'static str,
         cure: &'static str,
     ) -> Result<T, Fault> {
-        let DeValue::Integer(integer) = self.value.get_ref() else {
-            return Err(self.wrong_type("a whole number"));
+        let value = match self.value.get_ref() {
+            DeValue::Integer(integer) => integer_value(integer),
+            DeValue::Float(float) => match float.as_str().parse::<f64>() {
+                // 7.0 and 1e6 are whole; beyond 2^53 nobody can tell.
+                Ok(value) if value.fract() == 0.0 && value.abs() < 9e15 => Some(value as i128),
+                _ => return Err(self.wrong_type("a whole number")),
+            },
+            _ => return Err(self.wrong_type("a whole number")),
         };
-        integer_value(integer)
+        value
             .and_then(|value| T::try_from(value).ok())
             .filter(|value| range.contains(value))
             .ok_or_else(|| self.out_of_range(need, cure))
@@ -231,8 +238,12 @@ fn integer_value(integer: &toml::de::DeInteger<'_>) -> Option<i128> {
     i128::from_str_radix(integer.as_str(), integer.radix()).ok()
 }
 
-/// A value as text.
+/// A value as text, shortened.
 pub(super) fn shown(value: &DeValue<'_>) -> String {
+    shortened(&written(value))
+}
+
+fn written(value: &DeValue<'_>) -> String {
     match value {
         DeValue::String(text) => format!("\"{text}\""),
         DeValue::Integer(integer) => integer.to_string(),
@@ -240,7 +251,10 @@ pub(super) fn shown(value: &DeValue<'_>) -> String {
         DeValue::Boolean(truth) => truth.to_string(),
         DeValue::Datetime(date) => date.to_string(),
         DeValue::Array(values) => {
-            let values: Vec<String> = values.iter().map(|value| shown(value.get_ref())).collect();
+            let values: Vec<String> = values
+                .iter()
+                .map(|value| written(value.get_ref()))
+                .collect();
             format!("[{}]", values.join(", "))
         }
         DeValue::Table(_) => "{ ... }".to_owned(),

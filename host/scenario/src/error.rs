@@ -3,9 +3,10 @@
 use std::fmt;
 use std::ops::Range;
 
-use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
+use miette::{Diagnostic, LabeledSpan, SourceCode};
 
 use crate::problem::Problem;
+use crate::snippet::Snippet;
 
 /// Why a scenario was refused, where in which text, and what to do.
 ///
@@ -16,7 +17,7 @@ pub struct ScenarioError(Box<Located>);
 #[derive(Debug)]
 struct Located {
     problem: Problem,
-    place: Option<(NamedSource<String>, Range<usize>)>,
+    place: Option<Snippet>,
 }
 
 /// A stretch of a named text.
@@ -70,11 +71,8 @@ impl Fault {
 
 impl ScenarioError {
     pub(super) fn new(problem: Problem, place: Place) -> Self {
-        let text = NamedSource::new(place.name, place.text);
-        Self(Box::new(Located {
-            problem,
-            place: Some((text, place.span)),
-        }))
+        let place = Some(Snippet::new(place.name, place.text, place.span));
+        Self(Box::new(Located { problem, place }))
     }
 
     pub(super) fn without_place(problem: Problem) -> Self {
@@ -89,11 +87,7 @@ impl ScenarioError {
 
     /// Line and column, each from 1, unless no text could be read.
     pub fn line_and_column(&self) -> Option<(usize, usize)> {
-        let (text, span) = self.0.place.as_ref()?;
-        let before = text.inner().get(..span.start)?;
-        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        let line = 1 + before.matches('\n').count();
-        Some((line, 1 + before[line_start..].chars().count()))
+        self.0.place.as_ref()?.line_and_column()
     }
 }
 
@@ -111,13 +105,12 @@ impl Diagnostic for ScenarioError {
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
-        let (text, _) = self.0.place.as_ref()?;
-        Some(text)
+        let place = self.0.place.as_ref()?;
+        Some(place)
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let (_, span) = self.0.place.as_ref()?;
-        let label = LabeledSpan::at(span.clone(), "here");
-        Some(Box::new(std::iter::once(label)))
+        let place = self.0.place.as_ref()?;
+        Some(Box::new(std::iter::once(place.label())))
     }
 }

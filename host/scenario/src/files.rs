@@ -1,12 +1,12 @@
 //! Where the files are that a scenario names.
 
 use std::borrow::Cow;
-use std::io::ErrorKind;
 use std::path::Path;
 
 use crate::builtin::shipped_file;
 use crate::entry::Entry;
 use crate::error::Fault;
+use crate::read::{self, MOST_OF_TABLE, Unread};
 
 /// Where the files are that a scenario names.
 #[derive(Debug, Clone, Copy)]
@@ -48,13 +48,16 @@ impl Files<'_> {
             });
         }
         let path = self.folder().join(name);
-        let bytes = std::fs::read(&path).map_err(|error| {
-            if error.kind() != ErrorKind::NotFound {
-                let reason = format!("`{}` cannot be read: {error}", path.display());
-                return entry.does_not_fit(reason, "give a file that may be read by you");
-            }
-            let reason = format!("there is no file `{}`", path.display());
-            entry.does_not_fit(reason, &cure(name, &path, shipped.is_some()))
+        let bytes = read::bytes(&path, MOST_OF_TABLE).map_err(|unread| {
+            let reason = unread.message(&path.display().to_string());
+            let cure = match unread {
+                Unread::Missing => cure(name, &path, shipped.is_some()),
+                _ => {
+                    let usual = "give a file that may be read by you";
+                    unread.cure().unwrap_or(usual).to_owned()
+                }
+            };
+            entry.does_not_fit(reason, &cure)
         })?;
         let text = String::from_utf8(bytes).map_err(|_| {
             let reason = format!("`{}` is not UTF-8 text", path.display());

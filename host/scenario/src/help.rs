@@ -3,6 +3,7 @@
 use crate::keys::Family;
 use crate::nearest::nearest;
 use crate::problem::{Problem, within};
+use crate::snippet::shortened as short;
 
 impl Problem {
     /// The cure.
@@ -17,14 +18,24 @@ impl Problem {
         Some(match self {
             Self::UnknownBuiltIn { name, known } => format!(
                 "{}built-in scenarios: {}. A file of your own must end in .toml or be given \
-                 with its folder, as ./{name}",
+                 with its folder, as ./{}",
                 did_you_mean(name, known.iter().copied()),
-                known.join(", ")
+                known.join(", "),
+                short(name)
             ),
             Self::NoSuchFile { .. } => "check the spelling and the folder; `motes list` lists the \
                  built-in scenarios, `motes show sod > mine.toml` writes one to start from"
                 .to_owned(),
             Self::Directory { .. } => "give the .toml file in it".to_owned(),
+            Self::NotRegular { .. } => {
+                "write what comes out of it into a file that ends in .toml, and give that"
+                    .to_owned()
+            }
+            Self::TooLong { .. } => {
+                "check that it is the file that you mean: particles and series \
+                 stand in CSV files of their own"
+                    .to_owned()
+            }
             Self::Unreadable { .. } => "check that it may be read by you".to_owned(),
             Self::NotUtf8 { .. } => "save the file as UTF-8 text".to_owned(),
             Self::Syntax { .. } => "a line is `key = value`, `[section]` or `[[region]]`; text \
@@ -48,7 +59,8 @@ impl Problem {
             } => known_keys(unknown, section, known),
             Self::SetSection { section, known, .. } => match known.first() {
                 Some(name) => format!(
-                    "for example --set {section}.{name}=...; {}",
+                    "for example --set {}.{name}=...; {}",
+                    short(section),
                     known_keys("", section, known)
                 ),
                 None => known_keys("", "", known),
@@ -59,7 +71,8 @@ impl Problem {
             }
             Self::SetValue { key, .. } => format!(
                 "write a number, a list as '{key}=[0.0, 1.0]', a word, or quoted text as \
-                 '{key}=\"two words\"', each in single quotes for the shell"
+                 '{key}=\"two words\"', each in single quotes for the shell",
+                key = short(key)
             ),
             _ => return None,
         })
@@ -83,7 +96,10 @@ impl Problem {
             Self::MissingKey { example, .. } => format!("add for example `{example}`"),
             Self::WrongType { example, .. } => format!("write for example `{example}`"),
             Self::NotFinite { key, .. } => {
-                format!("give {key} an ordinary number, at most 1.7e308 in size")
+                format!(
+                    "give {} an ordinary number, at most 1.7e308 in size",
+                    short(key)
+                )
             }
             Self::OutOfRange { cure, .. } => (*cure).to_owned(),
             Self::UnknownName { name, known, .. } => format!(
@@ -139,10 +155,11 @@ fn known_keys(key: &str, section: &str, known: &[impl AsRef<str>]) -> String {
 
 /// What to do with a key that goes with the other family.
 fn family_cure(key: &str, family: Family) -> String {
+    let key = short(key);
     if family == Family::Gas {
         return format!("add [system] with its kind for a linear system, or take `{key}` out");
     }
-    let instead = match key {
+    let instead = match key.as_str() {
         "region" | "profile" | "inflow" | "deposit" => {
             "[initial] says what there is at t = 0 in a linear system"
         }

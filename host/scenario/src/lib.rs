@@ -47,7 +47,8 @@
 //! | [`gas`] | the sections of a gas |
 //! | [`linear`] | those of linear systems and convection-diffusion |
 //! | [`table`] | CSV files of particles or times |
-//! | `error`, `problem`, `help`, `nearest` | what is wrong, where, and the cure |
+//! | `read` | the bytes of a file, bounded |
+//! | `error`, `problem`, `help`, `nearest`, `snippet` | what is wrong, where, and the cure |
 
 mod any;
 mod bound;
@@ -69,9 +70,11 @@ pub mod linear;
 mod nearest;
 mod output;
 mod problem;
+mod read;
 mod resolution;
 mod section;
 mod set;
+mod snippet;
 mod source;
 pub mod table;
 #[cfg(test)]
@@ -93,5 +96,6 @@ pub use keys::Family;
 pub use linear::LinearScenario;
 pub use output::{Interval, SnapshotFormat, Snapshots};
 pub use problem::Problem;
+pub use snippet::{shortened, shortened_sentence};
 pub use source::Source;
 pub use tolerance::{Field, Norm, Tolerance};

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use thiserror::Error;
 
 use crate::keys::{Family, LISTS};
+use crate::snippet::shortened as short;
 
 /// What is wrong with a scenario. `Display` states it with the offending value;
 /// [`Problem::help`] tells the cure.
@@ -13,19 +14,25 @@ use crate::keys::{Family, LISTS};
 #[allow(missing_docs)] // the fields are what the texts print
 pub enum Problem {
     /// A name that is neither a file nor a built-in scenario.
-    #[error("there is no built-in scenario `{name}`")]
+    #[error("there is no built-in scenario `{}`", short(name))]
     UnknownBuiltIn {
         name: String,
         known: Vec<&'static str>,
     },
     /// The file does not exist.
-    #[error("there is no file `{}`", file.display())]
+    #[error("there is no file `{}`", path(file))]
     NoSuchFile { file: PathBuf },
     /// A directory where a file is needed.
-    #[error("`{}` is a directory, need a file", file.display())]
+    #[error("`{}` is a directory, need a file", path(file))]
     Directory { file: PathBuf },
+    /// What has no end, or may never begin.
+    #[error("`{}` is a pipe or a device, need a file", path(file))]
+    NotRegular { file: PathBuf },
+    /// More bytes than a scenario may have.
+    #[error("`{}` has more than {most} bytes: that is no scenario", path(file))]
+    TooLong { file: PathBuf, most: u64 },
     /// The operating system refuses to read the file.
-    #[error("cannot read `{}`: {error}", file.display())]
+    #[error("cannot read `{}`: {error}", path(file))]
     Unreadable {
         file: PathBuf,
         error: std::io::Error,
@@ -34,18 +41,18 @@ pub enum Problem {
     #[error("not UTF-8 text: the byte 0x{byte:02x} cannot stand here")]
     NotUtf8 { byte: u8 },
     /// The text breaks the TOML grammar.
-    #[error("not TOML: {message}")]
+    #[error("not TOML: {}", short(message))]
     Syntax { message: String },
 
     /// A key that its section does not have.
-    #[error("unknown key `{key}` {}", within(section))]
+    #[error("unknown key `{}` {}", short(key), within(section))]
     UnknownKey {
         key: String,
         section: String,
         known: Vec<String>,
     },
     /// A key of a gas where a linear system is described, or the reverse.
-    #[error("`{key}` {} goes with {}", within(section), whose(family.other()))]
+    #[error("`{}` {} goes with {}", short(key), within(section), whose(family.other()))]
     OtherFamily {
         key: String,
         section: String,
@@ -82,14 +89,14 @@ pub enum Problem {
         cure: &'static str,
     },
     /// A name that is not one of those the key takes.
-    #[error("{key} = \"{name}\" is unknown")]
+    #[error("{key} = \"{}\" is unknown", short(name))]
     UnknownName {
         key: String,
         name: String,
         known: Vec<String>,
     },
     /// A scenario name that cannot name a folder of results.
-    #[error("name = \"{name}\" is not a plain name")]
+    #[error("name = \"{}\" is not a plain name", short(name))]
     NotPlain { name: String },
     /// A list whose length is not the dimension.
     #[error("{key} has length {found}, need {dimension}: one entry a direction")]
@@ -146,10 +153,15 @@ pub enum Problem {
     Gas { both: bool },
 
     /// A `--set` that is not `section.key=value`.
-    #[error("--set {argument} is not of the form section.key=value")]
+    #[error("--set {} is not of the form section.key=value", short(argument))]
     SetForm { argument: String },
     /// A `--set` of a key that does not exist.
-    #[error("--set {key}: unknown key `{unknown}` {}", within(section))]
+    #[error(
+        "--set {}: unknown key `{}` {}",
+        short(key),
+        short(unknown),
+        within(section)
+    )]
     SetKey {
         key: String,
         unknown: String,
@@ -157,14 +169,18 @@ pub enum Problem {
         known: Vec<&'static str>,
     },
     /// A `--set` of a whole section.
-    #[error("--set {key} names a section, need one of its keys")]
+    #[error("--set {} names a section, need one of its keys", short(key))]
     SetSection {
         key: String,
         section: String,
         known: Vec<&'static str>,
     },
     /// A `--set` of a region, material, deposit or wall that does not exist.
-    #[error("--set {key}: there is no {list} {index}, the file has {count}")]
+    #[error(
+        "--set {}: there is no {list} {}, the file has {count}",
+        short(key),
+        short(index)
+    )]
     SetIndex {
         key: String,
         list: &'static str,
@@ -172,8 +188,13 @@ pub enum Problem {
         count: usize,
     },
     /// A `--set` whose value is not TOML.
-    #[error("--set {key}: `{value}` is not a value")]
+    #[error("--set {}: `{}` is not a value", short(key), short(value))]
     SetValue { key: String, value: String },
+}
+
+/// The path of a file as messages repeat it.
+fn path(file: &std::path::Path) -> String {
+    short(&file.display().to_string())
 }
 
 /// "in [section]", or where the keys above all sections stand.
@@ -184,7 +205,7 @@ pub(super) fn within(section: &str) -> String {
         Some((list, index)) if LISTS.contains(&list) => {
             format!("in [[{list}]] {index} (numbered from 0)")
         }
-        _ => format!("in [{section}]"),
+        _ => format!("in [{}]", short(section)),
     }
 }
 

@@ -1,13 +1,13 @@
 //! Where a scenario's text comes from.
 
 use std::fmt;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use crate::builtin::{BUILT_IN, built_in};
 use crate::error::{Place, ScenarioError};
 use crate::files::Files;
 use crate::problem::Problem;
+use crate::read::{self, MOST_OF_SCENARIO, Unread};
 
 /// What a scenario is read from.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -56,8 +56,8 @@ impl Source {
     /// The TOML text as it stands there.
     ///
     /// # Errors
-    /// An unknown built-in name; a file that is missing, is a directory, cannot
-    /// be read or is not UTF-8.
+    /// An unknown built-in name; a file that is missing, is a directory, a pipe or a device, is
+    /// longer than 16 MiB, cannot be read or is not UTF-8.
     pub fn text(&self) -> Result<String, ScenarioError> {
         match self {
             Self::BuiltIn(name) => built_in(name)
@@ -78,13 +78,13 @@ fn unknown_built_in(name: &str) -> ScenarioError {
 
 fn file_text(path: &Path) -> Result<String, ScenarioError> {
     let file = path.to_path_buf();
-    if path.is_dir() {
-        return Err(ScenarioError::without_place(Problem::Directory { file }));
-    }
-    let bytes = std::fs::read(path).map_err(|error| {
-        ScenarioError::without_place(match error.kind() {
-            ErrorKind::NotFound => Problem::NoSuchFile { file },
-            _ => Problem::Unreadable { file, error },
+    let bytes = read::bytes(path, MOST_OF_SCENARIO).map_err(|unread| {
+        ScenarioError::without_place(match unread {
+            Unread::Missing => Problem::NoSuchFile { file },
+            Unread::Directory => Problem::Directory { file },
+            Unread::NotRegular => Problem::NotRegular { file },
+            Unread::TooLong(most) => Problem::TooLong { file, most },
+            Unread::Refused(error) => Problem::Unreadable { file, error },
         })
     })?;
     String::from_utf8(bytes).map_err(|error| {

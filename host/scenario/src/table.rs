@@ -4,7 +4,10 @@ use std::fmt;
 use std::ops::Range;
 use std::path::Path;
 
-use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
+use miette::{Diagnostic, LabeledSpan, SourceCode};
+
+use crate::read::{self, MOST_OF_TABLE};
+use crate::snippet::{Snippet, shortened, shortened_sentence};
 
 /// The most rows of a file: as many particles as ids can count.
 pub const MOST_ROWS: usize = 1 << 29;
@@ -16,7 +19,7 @@ pub const MOST_ROWS: usize = 1 << 29;
 pub struct CloudError {
     message: String,
     help: String,
-    place: Option<(NamedSource<String>, Range<usize>)>,
+    place: Option<Snippet>,
 }
 
 impl fmt::Display for CloudError {
@@ -33,14 +36,13 @@ impl Diagnostic for CloudError {
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
-        let (text, _) = self.place.as_ref()?;
-        Some(text)
+        let place = self.place.as_ref()?;
+        Some(place)
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let (_, span) = self.place.as_ref()?;
-        let label = LabeledSpan::at(span.clone(), "here");
-        Some(Box::new(std::iter::once(label)))
+        let place = self.place.as_ref()?;
+        Some(Box::new(std::iter::once(place.label())))
     }
 }
 
@@ -61,8 +63,12 @@ pub fn read<T>(
         })
     };
     let help = "check resolution.file: it is looked for in the folder of the scenario";
-    let bytes = std::fs::read(path)
-        .map_err(|error| nowhere(format!("cannot read `{name}`: {error}"), help))?;
+    let bytes = read::bytes(path, MOST_OF_TABLE).map_err(|unread| {
+        nowhere(
+            unread.message(&shortened(&name)),
+            unread.cure().unwrap_or(help),
+        )
+    })?;
     let text = String::from_utf8(bytes).map_err(|_| {
         nowhere(
             format!("`{name}` is not UTF-8 text"),
@@ -73,7 +79,7 @@ pub fn read<T>(
         Box::new(CloudError {
             message: fault.message,
             help: fault.help,
-            place: Some((NamedSource::new(&name, text.clone()), fault.span)),
+            place: Some(Snippet::new(name.clone(), text.clone(), fault.span)),
         })
     })
 }
@@ -141,7 +147,18 @@ impl<'a> Table<'a> {
     /// A fault of the heading; the help is completed with the columns that there are.
     pub fn fault(&self, message: String, need: &str) -> TableFault {
         let columns = self.heading.iter().collect::<Vec<_>>().join(", ");
-        let help = format!("{need}; the columns are: {columns}");
+        let columns = shortened_sentence(&columns);
+        let separators = [(';', "`;`"), ('\t', "tabs")];
+        let found = separators.iter().find(|(separator, _)| {
+            let headings = &self.text[self.first_line()];
+            self.heading.len() == 1 && headings.contains(*separator)
+        });
+        let help = match found {
+            Some((_, name)) => {
+                format!("the columns are separated by {name}: separate them by commas; {need}")
+            }
+            None => format!("{need}; the columns are: {columns}"),
+        };
         TableFault::new(message, help, self.first_line())
     }
 
@@ -157,7 +174,7 @@ impl<'a> Table<'a> {
     /// # Errors
     /// There is no such column.
     pub fn required(&self, name: &str, need: &str) -> Result<Column, TableFault> {
-        let missing = || self.fault(format!("there is no column `{name}`"), need);
+        let missing = || self.fault(format!("there is no column `{}`", shortened(name)), need);
         self.optional(name).ok_or_else(missing)
     }
 
@@ -286,8 +303,8 @@ impl Row<'_> {
         let message = format!(
             "line {}, {} = {}",
             self.line(),
-            column.name,
-            self.field(column)
+            shortened(&column.name),
+            shortened(self.field(column))
         );
         TableFault::new(message, need, self.span(column))
     }

@@ -5,6 +5,7 @@ use miette::IntoDiagnostic;
 use super::Failure;
 use super::arguments::BenchArguments;
 use crate::benchmark::{CASES, measure};
+use crate::scenario::shortened;
 
 /// Measures the cases asked for.
 pub(super) fn bench(arguments: &BenchArguments) -> Result<(), Failure> {
@@ -15,7 +16,8 @@ pub(super) fn bench(arguments: &BenchArguments) -> Result<(), Failure> {
     if let Some(name) = unknown {
         return Err(Failure::Input(miette::miette!(
             help = "the cases are 1d, 2d and 3d",
-            "unknown case `{name}`"
+            "unknown case `{}`",
+            shortened(name)
         )));
     }
     let mut results = Vec::new();

@@ -4,6 +4,7 @@ mod arguments;
 mod bench;
 mod converge;
 mod export;
+mod list;
 mod progress;
 mod run;
 mod suite;
@@ -15,7 +16,7 @@ use std::process::ExitCode;
 use clap::Parser;
 use miette::{IntoDiagnostic, WrapErr};
 
-use crate::scenario::{AnyScenario, Source};
+use crate::scenario::{Source, shortened_sentence};
 use arguments::{Arguments, Command};
 
 /// What the program ends with.
@@ -37,10 +38,13 @@ impl Failure {
 
 /// Runs the program with the arguments of the process.
 pub fn main() -> ExitCode {
-    let arguments = Arguments::parse();
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => return refused(&error),
+    };
     let result = match arguments.command {
         Command::Run(arguments) => run::run(&arguments),
-        Command::List => list(),
+        Command::List => list::list(),
         Command::Show { name } => show(&name),
         Command::Export(arguments) => export::export(&arguments),
         Command::Suite(arguments) => suite::suite(&arguments),
@@ -58,6 +62,17 @@ pub fn main() -> ExitCode {
     ExitCode::from(code)
 }
 
+/// Prints help, the version, or what is wrong with the arguments, of which long ones are cut.
+fn refused(error: &clap::Error) -> ExitCode {
+    let text = error.render().to_string();
+    if text.lines().all(|line| line.len() < 1000) {
+        error.exit();
+    }
+    let lines: Vec<String> = text.lines().map(shortened_sentence).collect();
+    let _ = writeln!(std::io::stderr(), "{}", lines.join("\n"));
+    ExitCode::from(2)
+}
+
 /// Prints to standard output. A reader that has gone away is no failure.
 fn print(text: &str) -> Result<(), Failure> {
     let mut output = std::io::stdout();
@@ -73,18 +88,6 @@ fn print(text: &str) -> Result<(), Failure> {
         }
         _ => Ok(()),
     }
-}
-
-/// `motes list`.
-fn list() -> Result<(), Failure> {
-    for built_in in crate::scenario::BUILT_IN {
-        let source = Source::BuiltIn(built_in.name.to_owned());
-        let scenario = AnyScenario::read(source, &[]);
-        let scenario = scenario.map_err(|error| Failure::Input(error.into()))?;
-        let (name, description) = (scenario.name(), scenario.description());
-        print(&format!("{name:<22} {description}\n"))?;
-    }
-    Ok(())
 }
 
 /// `motes show NAME`.

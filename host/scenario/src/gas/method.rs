@@ -65,7 +65,7 @@ pub struct Diffusion {
 /// How long, and in what steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Time {
-    /// Duration of the run, > 0.
+    /// Duration of the run, >= 0: at 0 the start is all there is.
     pub end: f64,
     /// Step / (width / signal speed), in (0, 1].
     pub courant: f64,
@@ -111,19 +111,24 @@ pub(super) fn weights(root: &Section<'_>) -> Result<Weights, Fault> {
     }
 }
 
+/// The viscosity where nothing else is said.
+const DEFAULT_VISCOSITY: Viscosity = Viscosity {
+    kind: ViscosityKind::Pairwise,
+    alpha: 1.0,
+    beta: 2.0,
+    switch: None,
+    balsara: false,
+};
+
 /// `[viscosity]`.
 pub(super) fn viscosity(root: &Section<'_>) -> Result<Viscosity, Fault> {
+    let usual = DEFAULT_VISCOSITY;
     let Some(entry) = root.optional("viscosity") else {
-        return Ok(Viscosity {
-            kind: ViscosityKind::Pairwise,
-            alpha: 1.0,
-            beta: 2.0,
-            switch: None,
-            balsara: false,
-        });
+        return Ok(usual);
     };
     let section = &entry.section()?;
-    let kind = section.required("kind")?.choice(KINDS)?;
+    let kind = section.optional("kind");
+    let kind = kind.map_or(Ok(usual.kind), |entry| entry.choice(KINDS))?;
     if kind == ViscosityKind::None {
         // So that `--set viscosity.kind=none` alone switches it off.
         return Ok(Viscosity {
@@ -134,8 +139,8 @@ pub(super) fn viscosity(root: &Section<'_>) -> Result<Viscosity, Fault> {
             balsara: false,
         });
     }
-    let alpha = section.required("alpha")?.number(DAMPING)?;
-    let beta = section.required("beta")?.number(DAMPING)?;
+    let alpha = section.number_or("alpha", usual.alpha, DAMPING)?;
+    let beta = section.number_or("beta", usual.beta, DAMPING)?;
     let balsara = section.optional("balsara");
     Ok(Viscosity {
         kind,
@@ -195,7 +200,7 @@ pub(super) fn time(section: &Section<'_>) -> Result<Time, Fault> {
     let courant = section.optional("courant");
     let energy = section.optional("energy");
     Ok(Time {
-        end: section.required("end")?.number(POSITIVE)?,
+        end: section.required("end")?.number(NOT_NEGATIVE)?,
         courant: courant.map_or(Ok(DEFAULT_COURANT), |entry| entry.number(COURANT))?,
         energy: energy.map_or(Ok(EnergyRule::LeapFrog), |entry| entry.choice(ENERGY_RULES))?,
     })

@@ -1,7 +1,7 @@
 //! How long a run lasts, and its steps.
 
 use super::System;
-use crate::bound::{COURANT, POSITIVE};
+use crate::bound::{COURANT, NOT_NEGATIVE, POSITIVE};
 use crate::entry::Entry;
 use crate::error::Fault;
 use crate::section::Section;
@@ -9,7 +9,7 @@ use crate::section::Section;
 /// How long, and in what steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Time {
-    /// Duration of the run, > 0.
+    /// Duration of the run, >= 0: at 0 the start is all there is.
     pub end: f64,
     /// How a step is made.
     pub method: Method,
@@ -62,7 +62,7 @@ pub(super) fn time(section: &Section<'_>, system: &System) -> Result<Time, Fault
     let method = method(section, system)?;
     let step = section.optional("step");
     Ok(Time {
-        end: section.number("end", POSITIVE)?,
+        end: section.number("end", NOT_NEGATIVE)?,
         method,
         courant: section.number_or("courant", 0.5, COURANT)?,
         stages: match section.optional("stages") {

@@ -426,7 +426,7 @@ const FAULTS: &[Case] = &[
     // Materials.
     ("gamma = 1.4", "gamma = 1.4\nsound-speed = 1.0", "sound-speed", "material.sound-speed = 1.0 does not fit: ideal-gas has no sound-speed", "ideal-gas takes gamma"),
     ("\"ideal-gas\"\ngamma = 1.4", "\"tait\"\ndensity = 1.0\nsound-speed = 1.0\nexponent = 16", "exponent", "material.exponent = 16", "7 for water"),
-    ("\"ideal-gas\"\ngamma = 1.4", "\"tait\"\ndensity = 1.0\nsound-speed = 1.0\nexponent = 7.0", "exponent", "a number with a fraction", "`exponent = 7`"),
+    ("\"ideal-gas\"\ngamma = 1.4", "\"tait\"\ndensity = 1.0\nsound-speed = 1.0\nexponent = 7.1", "exponent", "a number with a fraction", "`exponent = 7`"),
     ("\"ideal-gas\"\ngamma = 1.4", "\"isothermal\"\nsound-speed = 0.0", "sound-speed", "material.sound-speed = 0.0", "larger than 0"),
     ("\"ideal-gas\"\ngamma = 1.4", "\"isothermal\"\nsound-speed = 2.0", "pressure", "region.0.pressure = 1.0 does not fit: isothermal gives 4", "take `pressure` out"),
     ("\"ideal-gas\"\n", "\"stiffened-gas\"\npressure-at-infinity = -1.0\n", "pressure-at-infinity", "material.pressure-at-infinity = -1.0", "0 or a positive"),

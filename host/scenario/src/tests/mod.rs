@@ -202,7 +202,7 @@ const FAULTS: &[Case] = &[
     ("[viscosity]", "", "kind", "unknown key `kind`", "the keys in [cut-off]"),
     ("gamma = 1.4", "gamma = \"1.4\"", "gamma", "material.gamma = \"1.4\" is text, need a number", "`gamma = 1.4`"),
     ("lower = [-1.0]", "lower = -1.0", "lower", "domain.lower = -1.0", "`lower = [-1.0]`"),
-    ("particles = 900 ", "particles = 9e2 ", "particles", "9e2 is a number with a fraction, need a whole number", "`particles = 900`"),
+    ("particles = 900 ", "particles = 900.5 ", "particles", "900.5 is a number with a fraction, need a whole number", "`particles = 900`"),
     ("sides = [\"mirror\"]", "sides = [true]", "sides", "domain.sides.0 = true is a truth value", "`sides = [\"mirror\"]`"),
     // Numbers.
     ("gamma = 1.4", "gamma = nan", "gamma", "material.gamma = nan is not a finite", "an ordinary number"),
@@ -217,7 +217,7 @@ const FAULTS: &[Case] = &[
     ("eta = 1.0", "eta = 0.0", "eta", "cut-off.eta = 0.0", "larger than 0"),
     ("courant = 0.3 ", "courant = 1.5 ", "courant", "time.courant = 1.5", "0.3 is safe"),
     ("courant = 0.3 ", "courant = 0 ", "courant", "need > 0 and at most 1", "0.3 is safe"),
-    ("end = 0.2", "end = 0.0", "end", "time.end = 0.0", "larger than 0"),
+    ("end = 0.2", "end = -0.1", "end", "time.end = -0.1", "0 or a positive number"),
     ("particles = 900 ", "particles = 0 ", "particles", "resolution.particles = 0", "number of particles"),
     ("particles = 900 ", "particles = -9 ", "particles", "resolution.particles = -9", "number of particles"),
     ("samples = 100", "samples = 0", "samples", "output.samples = 0", "rows of the time series"),
@@ -389,4 +389,137 @@ fn an_empty_file_reports_a_missing_key_and_line_ends_do_not_matter() {
     assert_eq!(windows.regions, sod(&[]).unwrap().regions);
     let marked = File::new(format!("\u{feff}{SOD}")).read(&["time.end=0.1"]);
     assert_eq!(marked.unwrap().time.end, 0.1);
+}
+
+/// What may never begin or never end is not read.
+#[cfg(unix)]
+#[test]
+fn a_pipe_a_device_and_a_text_without_end_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let read = |path: &std::path::Path| {
+        let error = AnyScenario::read(Source::File(path.to_owned()), &[]).unwrap_err();
+        format!("{error}: {}", error.problem().help())
+    };
+    let pipe = folder.path().join("pipe.toml");
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.unwrap().success());
+    for path in [&*pipe, std::path::Path::new("/dev/zero")] {
+        let text = read(path);
+        assert!(
+            text.contains("pipe or a device") && text.contains("into a file"),
+            "{text}"
+        );
+    }
+    let long = folder.path().join("long.toml");
+    let file = std::fs::File::create(&long).unwrap();
+    file.set_len((1 << 24) + 1).unwrap();
+    assert!(read(&long).contains("16777216 bytes"), "{}", read(&long));
+    // A file that a scenario names, likewise.
+    let wall = BUILT_IN
+        .iter()
+        .find(|built_in| built_in.name == "wall-day")
+        .unwrap();
+    let text = wall.text.replace("\"wall-day.csv\"", "\"pipe.toml\"");
+    let scenario = folder.path().join("wall.toml");
+    std::fs::write(&scenario, text).unwrap();
+    let text = read(&scenario);
+    assert!(text.contains("pipe or a device"), "{text}");
+}
+
+/// Wherever a value stands in a message.
+#[test]
+fn a_value_of_50_000_characters_is_not_repeated_whole() {
+    let long = "x".repeat(50_000);
+    let number = "9".repeat(50_000);
+    let name = |text: &str| BUILT_IN.iter().find(|one| one.name == text).unwrap().text;
+    let texts = [
+        name("sod").replace("name = \"sod\"", &format!("name = \"{long} \"")),
+        name("sod").replace("kind = \"pairwise\"", &format!("kind = \"{long}\"")),
+        name("sod").replace("[time]", &format!("[time]\n{long} = 1")),
+        name("sod").replace("[time]", &format!("[{long}]\na = 1\n[time]")),
+        name("sod").replace("gamma = 1.4", &format!("gamma = -{number}")),
+        name("sod").replace("gamma = 1.4", &format!("gamma = \"{long}\"")),
+        name("sod").replace("gamma = 1.4", &format!("gamma = {long}")),
+        name("wall-day").replace("axis = \"x\"", &format!("axis = \"{long}\"")),
+        name("wall-day").replace("\"wall-day.csv\"", &format!("\"{long}\"")),
+        name("wall-day").replace("column = \"temperature\"", &format!("column = \"{long}\"")),
+        name("wall-day").replace(
+            "species = [",
+            &format!("species = [\"{long}\", \"{long}\", "),
+        ),
+    ];
+    let mut all = Vec::new();
+    for (i, text) in texts.into_iter().enumerate() {
+        assert!(text.len() > 50_000, "{i} is as it was");
+        all.push(AnyScenario::read(Source::Text(text), &[]));
+    }
+    let sets = [
+        format!("material.gamma={long}"),
+        format!("material.{long}=1"),
+        format!("{long}.gamma=1"),
+        format!("region.{number}.density=1"),
+        long.clone(),
+        format!("viscosity.kind=({long}"),
+    ];
+    all.extend(sets.map(|set| AnyScenario::read(Source::from("sod"), &[set])));
+    all.push(AnyScenario::read(Source::BuiltIn(long.clone()), &[]));
+    all.push(AnyScenario::read(Source::File(long.into()), &[]));
+    for (i, read) in all.into_iter().enumerate() {
+        let error = read.expect_err(&format!("{i} is a scenario"));
+        let report = report(&error);
+        assert!(
+            report.len() < 3000,
+            "{i}: {} characters: {:.400}",
+            report.len(),
+            report
+        );
+    }
+}
+
+#[test]
+fn whole_numbers_may_have_a_point_and_fractions_may_not() {
+    let read = |value: &str| sod(&[&format!("resolution.particles={value}")]);
+    for whole in ["900", "900.0", "9e2", "9_00"] {
+        assert_eq!(read(whole).unwrap().resolution.particles, 900, "{whole}");
+    }
+    for other in ["900.5", "1e300", "nan", "\"900\""] {
+        assert!(read(other).is_err(), "{other}");
+    }
+}
+
+/// What docs/scenario.md says of `[viscosity]` holds key by key.
+#[test]
+fn a_viscosity_that_is_set_takes_the_rest_of_its_defaults() {
+    let text = BUILT_IN.iter().find(|one| one.name == "sod").unwrap().text;
+    let start = text.find("[viscosity]").unwrap();
+    let end = start + text[start + 1..].find("\n[").unwrap() + 1;
+    let without = format!("{}{}", &text[..start], &text[end..]);
+    let read = |set: &str| {
+        let source = Source::Text(without.clone());
+        Scenario::read(source, &[set.to_owned()]).unwrap().viscosity
+    };
+    let limited = read("viscosity.kind=limited");
+    assert_eq!(
+        (limited.kind, limited.alpha, limited.beta),
+        (ViscosityKind::Limited, 1.0, 2.0)
+    );
+    let weak = read("viscosity.alpha=0.5");
+    assert_eq!(
+        (weak.kind, weak.alpha, weak.beta),
+        (ViscosityKind::Pairwise, 0.5, 2.0)
+    );
+}
+
+#[test]
+fn other_separators_than_commas_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    for (separator, name) in [(";", "`;`"), ("\t", "tabs")] {
+        let path = folder.path().join("cloud.csv");
+        let text = ["position", "mass\n0.5", "1\n"].join(separator);
+        std::fs::write(&path, text).unwrap();
+        let read = table::read(&path, |table| table.required("mass", "need mass"));
+        let error = read.map(|_| ()).unwrap_err();
+        let help = miette::Diagnostic::help(&*error).unwrap().to_string();
+        assert!(help.contains(&format!("separated by {name}")), "{help}");
+    }
 }

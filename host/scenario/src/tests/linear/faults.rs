@@ -105,7 +105,7 @@ const LINE_FAULTS: &[Case] = &[
     ("[time]", "[cut-off]\neta = 0.7\nepsilon = 0.1\n[time]", "epsilon", "both eta and epsilon", "keep one"),
     ("[time]", "[cut-off]\ntheta = 0.5\nepsilon = 0.1\n[time]", "theta", "epsilon is a width of its own", "epsilon alone"),
     // Time.
-    ("end = 0.5", "end = 0.0", "end", "time.end = 0.0", "larger than 0"),
+    ("end = 0.5", "end = -0.1", "end", "time.end = -0.1", "0 or a positive number"),
     ("end = 0.5", "end = 0.5\nmethod = \"euler\"", "method", "time.method = \"euler\"", "known: rk4, ssp-rk3, rkl2"),
     ("end = 0.5", "end = 0.5\ncourant = 2", "courant", "time.courant = 2", "at most 1"),
     ("end = 0.5", "end = 0.5\nstep = 0", "step", "time.step = 0", "larger than 0"),

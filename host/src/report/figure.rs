@@ -16,10 +16,21 @@ pub struct Panel {
     pub points: Vec<(f64, f64)>,
     /// The exact solution, (x, value) in ascending x; may be empty.
     pub curve: Vec<(f64, f64)>,
+    /// More lines with names of their own, each in its colour.
+    pub lines: Vec<Line>,
     /// Of how many particles each point is one; 0 and 1: of itself.
     pub stride: usize,
     /// The smallest and the largest (x, value) of all particles, where `points` are not all.
     pub bounds: Option<[(f64, f64); 2]>,
+}
+
+/// A line with a name.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Line {
+    /// What the legend calls it.
+    pub name: String,
+    /// (x, value) in ascending x.
+    pub points: Vec<(f64, f64)>,
 }
 
 impl Panel {
@@ -96,7 +107,7 @@ pub(super) const UNIT: i32 = 4;
 const PANEL: (u32, u32) = (440, 300);
 
 /// Height of the title and the legend, in pixels.
-const HEAD: u32 = 62;
+const HEAD: u32 = 80;
 
 /// Points drawn in a panel at most, some 100 bytes each; of more, every second,
 /// third ... is drawn.
@@ -105,6 +116,12 @@ pub(super) const MOST_POINTS: usize = 1500;
 // Blue and vermilion of Okabe and Ito (2008), told apart by all kinds of colour vision.
 pub(super) const PARTICLES: RGBColor = RGBColor(0, 114, 178);
 pub(super) const EXACT: RGBColor = RGBColor(213, 94, 0);
+// And sky blue, bluish green and black of the same.
+const LINES: [RGBColor; 3] = [
+    RGBColor(86, 180, 233),
+    RGBColor(0, 158, 115),
+    RGBColor(0, 0, 0),
+];
 pub(super) const INK: RGBColor = RGBColor(51, 51, 51);
 pub(super) const GRID: RGBColor = RGBColor(225, 225, 225);
 
@@ -115,7 +132,7 @@ pub(super) const FONT: &str = "sans-serif";
 
 pub(super) type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-/// Draws 1 to 6 panels, two beside each other; returns the picture as SVG text.
+/// Draws 1 to 6 panels, two beside each other; a second line of the title is smaller. Returns the picture as SVG text.
 ///
 /// # Errors
 /// Another number of panels.
@@ -196,8 +213,12 @@ fn draw_head(
             .color(&INK)
             .pos(middle)
     };
-    let (mut x, y) = (px(18), px(48));
-    head.draw(&Text::new(title.to_owned(), (x, px(22)), style(18)))?;
+    let (mut x, y) = (px(18), px(66));
+    let (first, second) = title.split_once('\n').unwrap_or((title, ""));
+    head.draw(&Text::new(first.to_owned(), (x, px(22)), style(18)))?;
+    if !second.is_empty() {
+        head.draw(&Text::new(second.to_owned(), (x, px(43)), style(12)))?;
+    }
     if panels.iter().any(|panel| !panel.points.is_empty()) {
         let before = panels.iter().map(|panel| panel.stride).max();
         let label = match stride * before.unwrap_or(1).max(1) {
@@ -216,6 +237,16 @@ fn draw_head(
             EXACT.stroke_width(2 * UNIT.unsigned_abs()),
         ))?;
         head.draw(&Text::new(line.to_owned(), (x + px(27), y), style(13)))?;
+        x += px(27 + 7 * line.len() as i32 + 20);
+    }
+    let lines = panels.iter().map(|panel| &panel.lines);
+    let most = lines.max_by_key(|lines| lines.len());
+    for (line, colour) in most.into_iter().flatten().zip(LINES) {
+        let stroke = vec![(x, y), (x + px(20), y)];
+        let style_of_line = colour.stroke_width(2 * UNIT.unsigned_abs());
+        head.draw(&PathElement::new(stroke, style_of_line))?;
+        head.draw(&Text::new(line.name.clone(), (x + px(27), y), style(13)))?;
+        x += px(27 + 7 * line.name.len() as i32 + 20);
     }
     Ok(())
 }
@@ -254,6 +285,10 @@ fn draw_panel(
         .draw()?;
     let points = panel.points.iter().step_by(stride);
     chart.draw_series(points.map(|&point| Circle::new(point, RADIUS, PARTICLES.filled())))?;
+    for (line, colour) in panel.lines.iter().zip(LINES) {
+        let style = colour.stroke_width(3 * UNIT.unsigned_abs() / 2);
+        chart.draw_series(LineSeries::new(line.points.iter().copied(), style))?;
+    }
     if !panel.curve.is_empty() {
         let style = EXACT.stroke_width(3 * UNIT.unsigned_abs() / 2);
         chart.draw_series(LineSeries::new(panel.curve.iter().copied(), style))?;
@@ -273,12 +308,19 @@ fn finite(panel: &Panel) -> Panel {
         heading: panel.heading.clone(),
         points: finite(&panel.points),
         curve: finite(&panel.curve),
+        lines: (panel.lines.iter())
+            .map(|line| Line {
+                name: line.name.clone(),
+                points: finite(&line.points),
+            })
+            .collect(),
         ..*panel
     }
 }
 
 fn all(panel: &Panel) -> impl Iterator<Item = (f64, f64)> {
-    let drawn = panel.points.iter().chain(&panel.curve);
+    let lines = panel.lines.iter().flat_map(|line| &line.points);
+    let drawn = panel.points.iter().chain(&panel.curve).chain(lines);
     drawn.chain(panel.bounds.iter().flatten()).copied()
 }
 

@@ -1,13 +1,13 @@
 //! Pictures of results over a plane as SVG: colour maps with axes and a colour bar.
 //!
-//! Written as text, not with the drawing library of [`figure`](super::figure): one path for each
-//! colour is a tenth of one rectangle for each cell.
+//! Written as text, not with the drawing library of [`figure`](super::figure): the cells are a picture
+//! in the picture, a byte each.
 
-use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::ops::Range;
 
 use super::figure::{FigureError, range, tick};
+use super::png::Indexed;
 use crate::io::escaped;
 
 pub use super::raster::Raster;
@@ -31,6 +31,9 @@ pub struct Map {
 
 pub(super) const MOST_MAPS: usize = 4;
 
+/// Cells that are drawn along a side, at the most: a picture of four maps stays below 200 kB.
+const MOST_CELLS: usize = 160;
+
 /// Colours: so many that the eye sees no steps, so few that neighbours often share one.
 const COLOURS: usize = 64;
 
@@ -42,7 +45,7 @@ const VIRIDIS: [u32; 16] = [
 ];
 
 // All lengths in pixels.
-const HEAD: f64 = 44.0;
+const HEAD: f64 = 62.0;
 /// The largest side of a map: 64, 96 or 128 cells are whole pixels.
 const SIDE: f64 = 384.0;
 const MARGIN: Margin = Margin {
@@ -76,7 +79,7 @@ struct Frame {
 }
 
 /// Draws 1 to 4 maps, two beside each other, lengths in x and y to the same scale; each has the
-/// colours of viridis from its least to its largest value.
+/// colours of viridis from its least to its largest value. A second line of the title is smaller.
 /// Returns the picture as SVG text.
 ///
 /// # Errors
@@ -87,6 +90,7 @@ pub fn maps(title: &str, maps: &[Map]) -> Result<String, FigureError> {
         return Err(FigureError::MapCount { count });
     }
     maps.iter().try_for_each(check)?;
+    let maps: Vec<Map> = maps.iter().map(coarsened).collect();
 
     let columns = count.min(2);
     let column_width = MARGIN.left + SIDE + MARGIN.right;
@@ -114,7 +118,9 @@ pub fn maps(title: &str, maps: &[Map]) -> Result<String, FigureError> {
         px(width),
         px(height)
     );
-    label(&mut text, (18.0, 24.0), (18, "start"), title);
+    let (first, second) = title.split_once('\n').unwrap_or((title, ""));
+    label(&mut text, (18.0, 24.0), (18, "start"), first);
+    label(&mut text, (18.0, 45.0), (12, "start"), second);
     Ok(text + &body + "</svg>\n")
 }
 
@@ -137,6 +143,30 @@ fn check(map: &Map) -> Result<(), FigureError> {
         });
     }
     Ok(())
+}
+
+/// The map in no more cells than are drawn, each the mean of those that it stands for.
+fn coarsened(map: &Map) -> Map {
+    let (nx, ny) = (map.nx.min(MOST_CELLS), map.ny.min(MOST_CELLS));
+    let part = |i: usize, n: usize, all: usize| i * all / n..(i + 1) * all / n;
+    let mean = |cell: usize| {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for j in part(cell / nx, ny, map.ny) {
+            for value in &map.cells[j * map.nx..][part(cell % nx, nx, map.nx)] {
+                if value.is_finite() {
+                    (sum, count) = (sum + value, count + 1.0);
+                }
+            }
+        }
+        sum / count
+    };
+    Map {
+        heading: map.heading.clone(),
+        cells: (0..nx * ny).map(mean).collect(),
+        nx,
+        ny,
+        ..*map
+    }
 }
 
 /// Width and height of a map.
@@ -200,41 +230,28 @@ fn draw_bar(text: &mut String, map: Frame, values: &Range<f64>) {
     }
 }
 
-/// Fills a frame with cells: for each colour one path, in units of cells, with a stroke for each
-/// run of cells of that colour in a row.
+/// Fills a frame with cells, row by row from below.
 fn paint(
     text: &mut String,
     frame: Frame,
     (nx, ny): (usize, usize),
     level: impl Fn(usize) -> Option<usize>,
 ) {
-    let mut paths: BTreeMap<usize, String> = BTreeMap::new();
-    for j in 0..ny {
-        let mut i = 0;
-        while i < nx {
-            let colour = level(j * nx + i);
-            let run = (i..nx).take_while(|i| level(j * nx + i) == colour).count();
-            if let Some(colour) = colour {
-                let _ = write!(paths.entry(colour).or_default(), "M{i} {j}h{run}");
-            }
-            i += run;
-        }
-    }
-    let (width, height) = (frame.width / nx as f64, frame.height / ny as f64);
-    // Strokes lie half above, half below their row's centre; y runs upwards.
-    let bottom = frame.y + frame.height - height / 2.0;
-    // Without `crispEdges` the page would shine through between cells.
+    let colours: Vec<u32> = (0..COLOURS).map(viridis).collect();
+    let rows = (0..ny).rev().flat_map(|j| (0..nx).map(move |i| j * nx + i));
+    let pixels = rows.map(|cell| level(cell).unwrap_or(COLOURS) as u8);
+    let picture = Indexed {
+        width: nx,
+        height: ny,
+        pixels: &pixels.collect::<Vec<u8>>(),
+        colours: &colours,
+    };
     let _ = writeln!(
         text,
-        "<g class=\"cells\" transform=\"translate({} {bottom}) scale({width} -{height})\" \
-         shape-rendering=\"crispEdges\">",
-        frame.x
+        "<image {} preserveAspectRatio=\"none\" style=\"image-rendering:pixelated\" href=\"{}\"/>",
+        place(frame),
+        picture.link()
     );
-    for (colour, path) in paths {
-        let colour = viridis(colour);
-        let _ = writeln!(text, "<path stroke=\"#{colour:06x}\" d=\"{path}\"/>");
-    }
-    text.push_str("</g>\n");
 }
 
 /// The colour of a value, 0 to 63; none for what is not finite.
@@ -327,25 +344,47 @@ mod tests {
 
     /// The colour of every cell of the first map of a picture, in a file read back.
     fn read_back(text: &str, nx: usize, ny: usize) -> Vec<Option<String>> {
-        let mut cells = vec![None; nx * ny];
-        let group = text.split("<g class=\"cells\"").nth(1).unwrap();
-        let group = group.split("</g>").next().unwrap();
-        for path in group.split("stroke=\"").skip(1) {
-            let mut parts = path.split('"');
-            let (colour, runs) = (parts.next().unwrap(), parts.nth(1).unwrap());
-            for run in runs.split('M').skip(1) {
-                let numbers = run.split([' ', 'h']).map(|n| n.parse().unwrap());
-                let [i, j, length]: [usize; 3] = numbers.collect::<Vec<_>>().try_into().unwrap();
-                for cell in &mut cells[j * nx + i..j * nx + i + length] {
-                    assert_eq!(cell.replace(colour.to_owned()), None, "painted twice");
-                }
-            }
-        }
-        cells
+        let link = text.split("base64,").nth(1).unwrap();
+        let value = |letter: u8| match letter {
+            b'A'..=b'Z' => letter - b'A',
+            b'a'..=b'z' => letter - b'a' + 26,
+            b'0'..=b'9' => letter - b'0' + 52,
+            b'+' => 62,
+            _ => 63,
+        };
+        let letters = link
+            .bytes()
+            .take_while(|&letter| letter != b'"' && letter != b'=');
+        let bits: Vec<u8> = letters.map(value).collect();
+        let bytes: Vec<u8> = (bits.chunks(4))
+            .flat_map(|four| {
+                let all = (0..4).fold(0u32, |all, i| {
+                    all << 6 | u32::from(*four.get(i).unwrap_or(&0))
+                });
+                let count = four.len() - 1;
+                all.to_be_bytes()[1..=count].to_vec()
+            })
+            .collect();
+        let chunk = |kind: &[u8]| {
+            let at = bytes.windows(4).position(|four| four == kind).unwrap();
+            let length = u32::from_be_bytes(bytes[at - 4..at].try_into().unwrap());
+            &bytes[at + 4..at + 4 + length as usize]
+        };
+        let (palette, data) = (chunk(b"PLTE"), chunk(b"IDAT"));
+        // One stored block behind two bytes of zlib and five of its own.
+        let rows = &data[7..7 + (nx + 1) * ny];
+        let cell = |cell: usize| {
+            let row = ny - 1 - cell / nx;
+            let number = usize::from(rows[row * (nx + 1) + 1 + cell % nx]);
+            let colour = &palette[3 * number..3 * number + 3];
+            let [r, g, b] = [colour[0], colour[1], colour[2]];
+            (number < COLOURS).then(|| format!("#{r:02x}{g:02x}{b:02x}"))
+        };
+        (0..nx * ny).map(cell).collect()
     }
 
     #[test]
-    fn every_cell_is_painted_once_in_its_colour_and_empty_ones_are_not() {
+    fn every_cell_is_painted_in_its_colour_and_empty_ones_are_not() {
         let value = |cell: usize| match cell % 7 {
             3 => f64::NAN,
             5 => f64::INFINITY,
@@ -354,7 +393,7 @@ mod tests {
         let map = map((31, 17), value);
         let text = maps("title", std::slice::from_ref(&map)).unwrap();
         let painted = read_back(&text, 31, 17);
-        let mut seen: BTreeMap<usize, String> = BTreeMap::new();
+        let mut seen = std::collections::BTreeMap::<usize, String>::new();
         for (cell, colour) in painted.into_iter().enumerate() {
             // The largest value that is not empty is (31 * 17 - 1) / 9.
             let level = level(map.cells[cell], &(0.0..58.0));
@@ -374,14 +413,20 @@ mod tests {
         let map = map((128, 128), noise);
         let one = maps("t", std::slice::from_ref(&map)).unwrap().len();
         let four = maps("t", &vec![map.clone(); 4]).unwrap().len();
-        assert!(one < 250_000 && four < 900_000, "{one}, {four} bytes");
-        let smooth = |cell: usize| ((cell % 128) as f64 / 40.0).sin() + (cell / 128) as f64 / 50.0;
-        let smooth = Map {
-            cells: (0..128 * 128).map(smooth).collect(),
-            ..map
-        };
-        let four = maps("t", &vec![smooth; 4]).unwrap().len();
-        assert!(four < 300_000, "{four} bytes");
+        assert!(one < 40_000 && four < 130_000, "{one}, {four} bytes");
+        // The probe may have more cells than a picture shows.
+        let fine = super::tests::map((1000, 300), noise);
+        let four = maps("t", &vec![fine; 4]).unwrap().len();
+        assert!(four < 200_000, "{four} bytes");
+    }
+
+    #[test]
+    fn what_is_too_fine_is_drawn_by_its_means() {
+        let fine = map((3 * MOST_CELLS, 2), |cell| [1.0, 2.0, 6.0][cell % 3]);
+        let coarse = coarsened(&fine);
+        assert_eq!((coarse.nx, coarse.ny), (MOST_CELLS, 2));
+        assert!(coarse.cells.iter().all(|value| *value == 3.0));
+        assert_eq!(coarse.upper, fine.upper);
     }
 
     #[test]
@@ -392,12 +437,14 @@ mod tests {
                 ..map((12, 7), noise)
             };
             let text = maps("title", &[map]).unwrap();
-            let scale = text.split("scale(").nth(1).unwrap();
-            let scale = scale.split(')').next().unwrap();
-            let (x, y) = scale.split_once(" -").unwrap();
-            let [x, y]: [f64; 2] = [x, y].map(|side| side.parse().unwrap());
-            let (x, y) = (12.0 * x / upper[0], 7.0 * y / upper[1]);
-            assert!((x / y - 1.0).abs() < 1e-12, "{x} and {y} pixels a length");
+            let image = text.split("<image ").nth(1).unwrap();
+            let side = |name: &str| -> f64 {
+                let side = image.split(&format!("{name}=\"")).nth(1).unwrap();
+                side.split('"').next().unwrap().parse().unwrap()
+            };
+            let (x, y) = (side("width") / upper[0], side("height") / upper[1]);
+            // Hundredths of a pixel.
+            assert!((x / y - 1.0).abs() < 1e-3, "{x} and {y} pixels a length");
         }
     }
 

@@ -6,6 +6,7 @@ mod log_axis;
 mod log_log;
 pub mod map;
 pub mod pictures;
+mod png;
 mod raster;
 pub mod results;
 pub mod suite;

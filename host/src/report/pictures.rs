@@ -4,7 +4,7 @@
 
 use miette::Report;
 
-use super::figure::{self, MOST_PANELS, MOST_POINTS, Panel};
+use super::figure::{self, Line, MOST_PANELS, MOST_POINTS, Panel};
 use super::map::{self, MOST_MAPS, Map, Raster};
 use crate::experiment::Experiment;
 use crate::run::{Abscissa, Field, Kind, Row, View};
@@ -23,10 +23,11 @@ const CELLS: f64 = 128.0;
 pub fn pictures(experiment: &Experiment) -> Result<Vec<(&'static str, String)>, Report> {
     let outcome = &experiment.outcome;
     let title = format!(
-        "{}, {} particles, t = {:.6}",
+        "{}, {} particles, t = {:.6}\n{}",
         experiment.scenario.name(),
         outcome.particles,
-        outcome.time
+        outcome.time,
+        run(experiment)
     );
     let description = experiment.simulation.description();
     let panels = panels(experiment);
@@ -40,6 +41,12 @@ pub fn pictures(experiment: &Experiment) -> Result<Vec<(&'static str, String)>, 
     Ok(pictures)
 }
 
+/// Which run it was: the second line of titles.
+fn run(experiment: &Experiment) -> String {
+    let (scalar, digest) = (experiment.scalar.name(), experiment.outcome.digest);
+    format!("{scalar}, digest {digest}")
+}
+
 /// Where on the abscissa a place is.
 fn along(abscissa: Abscissa, position: &[f64; 3]) -> f64 {
     match abscissa {
@@ -51,17 +58,21 @@ fn along(abscissa: Abscissa, position: &[f64; 3]) -> f64 {
     }
 }
 
-/// The place of the curve at a value of the abscissa.
-fn point(abscissa: Abscissa, value: f64, middle: [f64; 3]) -> [f64; 3] {
-    let (mut point, axis) = match abscissa {
-        Abscissa::Along(axis) => (middle, axis),
-        Abscissa::From(centre) => (centre, 0),
-    };
+/// The place of the curve at a value of the abscissa; at a distance from a centre in the direction of
+/// the particle that is furthest from it, so that the curve stays where particles are: along an axis
+/// it would leave a periodic box and come back from the other side.
+fn point(abscissa: Abscissa, value: f64, middle: [f64; 3], furthest: [f64; 3]) -> [f64; 3] {
     match abscissa {
-        Abscissa::Along(_) => point[axis] = value,
-        Abscissa::From(_) => point[axis] += value,
+        Abscissa::Along(axis) => {
+            let mut point = middle;
+            point[axis] = value;
+            point
+        }
+        Abscissa::From(centre) => {
+            let length = along(abscissa, &furthest).max(f64::MIN_POSITIVE);
+            std::array::from_fn(|i| centre[i] + (furthest[i] - centre[i]) * (value / length))
+        }
     }
-    point
 }
 
 /// What is drawn of a field: of a vector the component along the abscissa, or its length.
@@ -101,11 +112,13 @@ fn panels(experiment: &Experiment) -> Vec<Panel> {
             ..Panel::default()
         })
         .collect();
-    let (mut inside, mut furthest) = (0usize, 0.0f64);
+    let (mut inside, mut furthest) = (0usize, middle);
     simulation.each(|row| {
         if is_inside(row) {
             inside += 1;
-            furthest = furthest.max(along(abscissa, &row.position));
+            if inside == 1 || along(abscissa, &row.position) > along(abscissa, &furthest) {
+                furthest = row.position;
+            }
             for (field, panel) in fields.iter().zip(&mut panels) {
                 panel.reach(point_of(field, row));
             }
@@ -125,12 +138,15 @@ fn panels(experiment: &Experiment) -> Vec<Panel> {
     });
     let (lower, upper) = match abscissa {
         Abscissa::Along(axis) => (window.lower[axis], window.upper[axis]),
-        Abscissa::From(_) => (0.0, furthest),
+        Abscissa::From(_) => (0.0, along(abscissa, &furthest)),
     };
     if let Some(exact) = &experiment.exact {
         for i in 0..=POINTS {
             let x = lower + (upper - lower) * i as f64 / POINTS as f64;
-            let state = exact.at(point(abscissa, x, middle), experiment.outcome.time);
+            let state = exact.at(
+                point(abscissa, x, middle, furthest),
+                experiment.outcome.time,
+            );
             let mut rest = &state[..];
             for (field, panel) in fields.iter().zip(&mut panels) {
                 let (values, after) = rest.split_at(field.components);
@@ -159,17 +175,12 @@ fn maps(experiment: &Experiment) -> Vec<Map> {
     let size = [upper[0] - lower[0], upper[1] - lower[1]];
     let cell = size[0].max(size[1]) / CELLS;
     let cells = size.map(|length| ((length / cell).round() as usize).max(1));
-    let spacing = description.view.spacing.unwrap_or_else(|| {
-        let mut area = 0.0;
-        simulation.each(|row| area += row.volume);
-        (area / experiment.outcome.particles as f64).sqrt()
-    });
     let fields: Vec<&Field> = description.compared().take(MOST_MAPS).collect();
-    let raster = Raster::new(1.3 * spacing, (lower, upper), cells);
+    let raster = Raster::new((lower, upper), cells);
     let mut rasters = vec![raster; fields.len()];
     simulation.each(|row| {
         for (field, raster) in fields.iter().zip(&mut rasters) {
-            raster.add(corner(&row.position), field.length(&row.values));
+            raster.add(corner(&row.position), row.volume, field.length(&row.values));
         }
     });
     let map = |(field, raster): (&&Field, Raster)| Map {
@@ -186,6 +197,9 @@ fn maps(experiment: &Experiment) -> Vec<Map> {
     fields.iter().zip(rasters).map(map).collect()
 }
 
+/// What is drawn of a species over time, by its name in the time series and in words.
+const SPREAD: [(&str, &str); 3] = [("min", "smallest"), ("mean", "mean"), ("max", "largest")];
+
 /// What walls are driven by over time, and what becomes of the species; `None` where no series
 /// drives one.
 fn history(experiment: &Experiment) -> Result<Option<String>, Report> {
@@ -197,29 +211,28 @@ fn history(experiment: &Experiment) -> Result<Option<String>, Report> {
     let names: Vec<&Field> = experiment.simulation.description().compared().collect();
     let panel = |&(component, series): &(usize, &Series)| {
         let name = &names[component].name;
-        let spreads =
-            ["min", "mean", "max"].map(|part| outcome.series.of(&format!("{name}_{part}")));
-        let samples = outcome.series.samples.iter().enumerate();
-        let points = samples.flat_map(|(i, sample)| {
-            let time = sample.time;
-            spreads.each_ref().map(|values| (time, values[i]))
-        });
+        let line = |(part, words): (&str, &str)| Line {
+            name: words.to_owned(),
+            points: (outcome.series.samples.iter().map(|sample| sample.time))
+                .zip(outcome.series.of(&format!("{name}_{part}")))
+                .collect(),
+        };
         let drive = series.times.iter().zip(&series.values);
         let within = drive.filter(|&(&time, _)| time <= scenario.end());
         Panel {
             heading: name.clone(),
-            points: points.collect(),
+            lines: SPREAD.map(line).to_vec(),
             curve: within.map(|(&time, &value)| (time, value)).collect(),
             ..Panel::default()
         }
     };
     let panels: Vec<Panel> = driven.iter().take(MOST_PANELS).map(panel).collect();
-    let legend = ["smallest, mean, largest", "drives the wall"];
+    let legend = ["particles", "drives the wall"];
     let time = match scenario.units().time.as_str() {
         "1" => "time".to_owned(),
         unit => format!("time, {unit}"),
     };
-    let title = format!("{}, over time", scenario.name());
+    let title = format!("{}, over time\n{}", scenario.name(), run(experiment));
     Ok(Some(figure::legended(&title, &time, legend, &panels)?))
 }
 
@@ -233,7 +246,7 @@ fn probe(experiment: &Experiment, title: &str) -> Result<Option<String>, Report>
     let p = names.len();
     let value = |point: usize, component: usize| experiment.probe[point * p + component];
     let wide = (0..probe.points.len()).filter(|&i| probe.points[i] > 1);
-    let title = format!("{title}, reconstruction");
+    let title = title.replacen('\n', ", reconstruction\n", 1);
     Ok(match wide.collect::<Vec<_>>()[..] {
         [axis] => {
             let places = probe.positions();

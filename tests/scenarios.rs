@@ -70,10 +70,12 @@ fn a_shock_and_a_bubble_conserve_mass_momentum_and_energy() {
     assert!(momentum > 0.3 * mass, "{momentum} of {mass}");
 }
 
-/// Every built-in gas is a case of the suite, or has nothing to be held to.
+/// Every built-in scenario is a case of the suite; Gray and Scott's patterns have nothing to be held
+/// to.
 #[test]
 fn every_scenario_is_in_the_suite() {
-    for name in gases() {
+    let names = BUILT_IN.iter().map(|built_in| built_in.name);
+    for name in names.filter(|name| *name != "gray-scott") {
         let held = CASES.iter().any(|case| case.scenario == name);
         assert!(held, "{name} is not in the suite");
     }

@@ -11,8 +11,9 @@ use crate::engine::Threads;
 use crate::experiment::ExperimentError;
 use crate::io;
 use crate::report::pictures::pictures;
-use crate::report::suite::{Check, SuiteRow, failures, html, markdown};
+use crate::report::suite::{Check, SuiteRow, failures, html, markdown, verdict};
 use crate::run::{RunError, ScalarName};
+use crate::scenario::shortened;
 use crate::suite::{CASES, Case, Measured, SuiteError};
 
 /// Runs the suite and writes its report; fails where a bound is missed.
@@ -34,6 +35,7 @@ pub(super) fn suite(arguments: &SuiteArguments) -> Result<(), Failure> {
         .filter(|(case, scalar)| case.takes(scalar.name()))
         .collect();
     let interrupt = Interrupt::listen();
+    engine.stop_on(interrupt.flag());
     let bar = progress_bar(
         arguments.json,
         1000 * runs.len() as u64,
@@ -96,7 +98,8 @@ fn selected(names: &[String]) -> Result<Vec<&'static Case>, Failure> {
             known.dedup();
             return Err(Failure::Input(miette::miette!(
                 help = format!("it has {}", known.join(", ")),
-                "`{name}` is not in the suite"
+                "`{}` is not in the suite",
+                shortened(name)
             )));
         }
     }
@@ -179,13 +182,14 @@ fn report(arguments: &SuiteArguments, rows: &[SuiteRow]) -> Result<(), Failure> 
     } else {
         for row in rows {
             let checks: Vec<String> = row.checks.iter().map(ToString::to_string).collect();
-            let note = row.note.as_deref().filter(|_| row.particles == 0);
+            let note = row.note.as_deref().filter(|_| row.is_refused());
             let line = format!("{:<28}{:<8}{}", row.scenario, row.scalar, checks.join(", "));
             super::print(&format!("{line}{}\n", note.unwrap_or_default()))?;
         }
         super::print(&format!(
-            "report     {}\n",
-            out.join("accuracy.md").display()
+            "report     {}\n{}\n",
+            out.join("accuracy.md").display(),
+            verdict(rows)
         ))?;
     }
     match failures(rows) {

@@ -7,6 +7,18 @@ use serde::Serialize;
 
 use crate::io::escaped;
 
+impl SuiteRow {
+    /// Whether there was no run: the note says why.
+    pub fn is_refused(&self) -> bool {
+        self.particles == 0
+    }
+
+    /// Why there was none, or what was measured.
+    fn refusal(&self) -> Option<&str> {
+        self.note.as_deref().filter(|_| self.is_refused())
+    }
+}
+
 /// One run of the suite.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SuiteRow {
@@ -144,7 +156,13 @@ fn markdown_row(row: &SuiteRow) -> String {
             false => format!("**{FAILED} {}**", plain(&words)),
         }
     };
-    let checks: Vec<String> = row.checks.iter().map(check).collect();
+    let mut checks: Vec<String> = row.checks.iter().map(check).collect();
+    checks.extend(row.refusal().map(plain));
+    if row.is_refused() {
+        let (scenario, scalar) = (plain(&row.scenario), plain(&row.scalar));
+        let words = checks.join("<br>");
+        return format!("| {scenario} | {scalar} | | | {words} | | | |");
+    }
     format!(
         "| {} | {} | {} | {} | {} | {} | {} | {} |",
         plain(&row.scenario),
@@ -152,8 +170,8 @@ fn markdown_row(row: &SuiteRow) -> String {
         row.particles,
         row.steps,
         checks.join("<br>"),
-        number(row.energy_drift),
-        number(row.momentum_drift),
+        drift(row.energy_drift),
+        drift(row.momentum_drift),
         plain(&row.digest)
     )
 }
@@ -218,6 +236,15 @@ fn html_row(row: &SuiteRow) -> String {
         }
     };
     let checks: String = row.checks.iter().map(check).collect();
+    if row.is_refused() {
+        let words = row.refusal().map(escaped).unwrap_or_default();
+        return format!(
+            "<tr><td>{}</td><td>{}</td><td></td><td></td><td></td><td>{checks}{words}</td><td></td>\
+             <td></td><td></td><td></td></tr>\n",
+            escaped(&row.scenario),
+            escaped(&row.scalar)
+        );
+    }
     format!(
         "<tr><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
          <td class=\"n\">{}</td><td>{checks}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>\
@@ -227,8 +254,8 @@ fn html_row(row: &SuiteRow) -> String {
         row.particles,
         row.steps,
         number(row.smallest_step),
-        number(row.energy_drift),
-        number(row.momentum_drift),
+        drift(row.energy_drift),
+        drift(row.momentum_drift),
         number(row.seconds),
         escaped(&row.digest)
     )
@@ -254,14 +281,16 @@ figcaption { font-size: .875rem; opacity: .7; }
 ";
 
 /// How many checks there are, and how many fail.
-fn verdict(rows: &[SuiteRow]) -> String {
+pub fn verdict(rows: &[SuiteRow]) -> String {
     let checks: usize = rows.iter().map(|row| row.checks.len()).sum();
+    let refused = rows.iter().filter(|row| row.is_refused()).count();
+    let runs = match refused {
+        0 => format!("{} runs", rows.len()),
+        refused => format!("{} runs, {refused} not made", rows.len() - refused),
+    };
     match failures(rows) {
-        0 => format!("{} runs, {checks} checks, all kept", rows.len()),
-        failed => format!(
-            "{} runs, {checks} checks, {failed} failed {FAILED}",
-            rows.len()
-        ),
+        0 => format!("{runs}, {checks} checks, all kept"),
+        failed => format!("{runs}, {checks} checks, {failed} failed {FAILED}"),
     }
 }
 
@@ -336,6 +365,14 @@ fn all(rows: &[&SuiteRow], scalars: &[&str]) -> bool {
 fn pictures<'a>(rows: &[&'a SuiteRow]) -> impl Iterator<Item = (&'a str, &'a str)> {
     let picture = |row: &&'a SuiteRow| Some((row.scalar.as_str(), row.picture.as_deref()?));
     rows.iter().filter_map(picture)
+}
+
+/// A drift; nothing where the equations have no such sum.
+fn drift(value: f64) -> String {
+    match value.is_nan() {
+        true => String::new(),
+        false => number(value),
+    }
 }
 
 /// A number with 4 digits; those that say nothing left out.

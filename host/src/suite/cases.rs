@@ -35,6 +35,15 @@ const fn plain(scenario: &'static str, dimension: usize) -> Case {
     }
 }
 
+/// A case of a linear system or of convection-diffusion, held to the bound in its file, in floating
+/// point.
+const fn strengths(scenario: &'static str, dimension: usize) -> Case {
+    Case {
+        in_fixed_point: false,
+        ..plain(scenario, dimension)
+    }
+}
+
 /// A variant of a scenario.
 const fn variant(of: Case, variant: &'static str, changes: &'static [&'static str]) -> Case {
     Case {
@@ -189,4 +198,27 @@ pub const CASES: &[Case] = &[
             reason: "1 % is a sixth of a spacing",
         }],
     ),
+    strengths("acoustics1d", 1),
+    strengths("telegraph", 1),
+    strengths("heat1d", 1),
+    strengths("variable-diffusivity", 1),
+    strengths("layered-wall", 1),
+    strengths("robin-wall", 1),
+    strengths("decay-chain", 1),
+    strengths("advection-dominated", 1),
+    strengths("wall-day", 1),
+    strengths("acoustics2d", 2),
+    strengths("transport-rotation", 2),
+    strengths("transport-shear", 2),
+    strengths("transport-compression", 2),
+    strengths("transport-mesh", 2),
+    strengths("shallow-water", 2),
+    strengths("maxwell-te", 2),
+    strengths("elastic-waves", 2),
+    strengths("linearised-gas", 2),
+    strengths("heat2d", 2),
+    strengths("rotating-gaussian", 2),
+    strengths("shear-gaussian", 2),
+    strengths("acoustics3d", 3),
+    strengths("heat3d", 3),
 ];

@@ -247,6 +247,33 @@ const BAD_INPUT: &[(&[&str], &[&str])] = &[
         ],
         &["unit", "nearer to 1"],
     ),
+    (
+        &[
+            "run",
+            "noh2d",
+            "-n",
+            "90",
+            "--set",
+            "domain.upper=[1.0,1e14]",
+        ],
+        &["particles", "90", "thinner than their spacing"],
+    ),
+    (
+        &[
+            "run",
+            "acoustics3d",
+            "-n",
+            "90",
+            "--set",
+            "domain.upper=[1e13,1.0,0.6e13]",
+        ],
+        &["particles", "90", "thinner"],
+    ),
+    (
+        &["run", "woodward-colella", "--set", "region.0.pressure=1e8"],
+        &["reference", "steps", "output.exact"],
+    ),
+    (&["run", "/dev/zero"], &["/dev/zero", "device"]),
     (&["bench", "4d"], &["4d", "3d"]),
     (&["bench", "1d", "--scalar", "q12.19"], &["q12.19", "f32"]),
     (&["show", "sot"], &["sot", "sod"]),
@@ -655,4 +682,155 @@ fn errors_that_nobody_reads_keep_their_exit_code() {
     let mut program = std::process::Command::new(env!("CARGO_BIN_EXE_motes"));
     let status = program.args(["run", "nosuch"]).stderr(writer).status();
     assert_eq!(status.unwrap().code(), Some(2));
+}
+
+/// Whatever argument it is in, and whatever a file holds.
+#[test]
+fn a_long_argument_is_not_repeated_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let long = "y".repeat(50_000);
+    let set = format!("material.gamma={long}");
+    for arguments in [
+        &["run", &long][..],
+        &["run", "sod", "--scalar", &long],
+        &["run", "sod", "-n", &long],
+        &["run", "sod", "--set", &set],
+        &["run", "sod", "--threads", &long],
+        &["suite", &long],
+        &["bench", &long],
+        &["show", &long],
+        &["converge", "sod", "--field", &long],
+        &["converge", "sod", "--norm", &long],
+    ] {
+        let errors = failure(folder.path(), arguments, 2);
+        assert!(
+            errors.len() < 6000,
+            "{}: {} bytes",
+            arguments[0],
+            errors.len()
+        );
+    }
+}
+
+/// No row of a table holds what no table reads; what nothing bounds is left empty.
+#[test]
+fn tables_hold_finite_numbers_or_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in [
+        "wall-day",
+        "robin-wall",
+        "layered-wall",
+        "decay-chain",
+        "sod",
+    ] {
+        stdout(
+            folder.path(),
+            &["run", name, "-n", "48", "--out", name, "--quiet"],
+        );
+        for table in ["series.csv", "particles.csv"] {
+            let text = std::fs::read_to_string(folder.path().join(name).join(table)).unwrap();
+            let fields = text.lines().skip(1).flat_map(|line| line.split(','));
+            let odd = fields.filter(|field| {
+                !field.is_empty() && field.parse().map_or(true, |x: f64| !x.is_finite())
+            });
+            assert_eq!(
+                odd.collect::<Vec<_>>(),
+                Vec::<&str>::new(),
+                "{name}/{table}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_run_of_no_time_writes_its_start() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["sod", "acoustics1d", "wall-day"] {
+        let snapshots = "output.snapshots={ every = 1.0, format = \"csv\" }";
+        let arguments = [
+            "run",
+            name,
+            "-n",
+            "96",
+            "--set",
+            "time.end=0",
+            "--set",
+            snapshots,
+        ];
+        let text = stdout(folder.path(), &arguments);
+        assert!(
+            text.contains("to t = 0.0") && !text.contains("NaN"),
+            "{text}"
+        );
+        let out = folder.path().join("out").join(name);
+        let rows = |file: &str| {
+            std::fs::read_to_string(out.join(file))
+                .unwrap()
+                .lines()
+                .count()
+        };
+        assert_eq!(
+            (
+                rows("particles.csv"),
+                rows("series.csv"),
+                rows("snapshots.csv")
+            ),
+            (97, 2, 2)
+        );
+    }
+}
+
+/// Rows of the time series and snapshots, all families, in float.
+#[test]
+fn exact_times_are_met_and_without_them_no_bit_changes() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["sod", "telegraph", "heat1d"] {
+        let json = |more: &[&str]| -> Value {
+            let mut arguments = vec![
+                "run",
+                name,
+                "-n",
+                "225",
+                "--json",
+                "--set",
+                "output.samples=7",
+            ];
+            arguments.extend(more);
+            serde_json::from_str(&stdout(folder.path(), &arguments)).unwrap()
+        };
+        let plain = json(&[]);
+        let end = plain["time"].as_f64().unwrap();
+        let every = format!(
+            "output.snapshots={{ every = {}, format = \"csv\" }}",
+            end / 3.0
+        );
+        let looked = json(&["--set", &every]);
+        assert_eq!(plain["digest"], looked["digest"], "{name}");
+        let exact = json(&["--set", &every, "--set", "output.exact-times=true"]);
+        assert_ne!(plain["digest"], exact["digest"], "{name}");
+        assert_eq!(exact["time"].as_f64(), Some(end));
+        let column = |file: &str, place: usize| -> Vec<f64> {
+            let path = folder.path().join("out").join(name).join(file);
+            let text = std::fs::read_to_string(path).unwrap();
+            let rows = text.lines().skip(1);
+            rows.map(|row| row.split(',').nth(place).unwrap().parse().unwrap())
+                .collect()
+        };
+        let expected = |parts: u32| (0..=parts).map(|i| end * f64::from(i) / f64::from(parts));
+        for (times, parts) in [
+            (column("series.csv", 0), 7),
+            (column("snapshots.csv", 1), 3),
+        ] {
+            assert_eq!(times.len(), 1 + parts as usize, "{name}: {times:?}");
+            for (time, expected) in times.iter().zip(expected(parts)) {
+                assert!(
+                    (time - expected).abs() <= 4e-16 * end,
+                    "{name}: {time} for {expected}"
+                );
+            }
+        }
+        // None of the steps is a rounding.
+        let [least, most] = [0, 1].map(|i| exact["time_step"][i].as_f64().unwrap());
+        assert!(least > 1e-6 * most, "{name}: {least} to {most}");
+    }
 }

@@ -277,3 +277,34 @@ fn a_wall_follows_a_measured_series() {
     let moved = (calm[0] - values[0]).abs();
     assert!(moved > 1.0, "{moved}");
 }
+
+/// Diffusion makes nothing that there was not. The mixed form of a sharp band does; the direct form,
+/// a source or a flux that brings more in give no cause to say so.
+#[test]
+fn a_state_beyond_the_maximum_principle_is_told() {
+    let beyond = |name: &str, changes: &[&str]| {
+        let experiment = done(name, changes);
+        let warnings = experiment.simulation.warnings(&experiment.outcome);
+        let told = warnings
+            .into_iter()
+            .filter(|text| text.contains("diffusion alone"));
+        told.collect::<Vec<_>>()
+    };
+    let narrow = ["initial.width=0.01", "time.end=0.001"];
+    let mixed = beyond("heat1d", &[&narrow[..], &["system.form=mixed"]].concat());
+    assert_eq!(mixed.len(), 1, "{mixed:?}");
+    assert!(
+        mixed[0].contains("below the") && mixed[0].contains("direct"),
+        "{mixed:?}"
+    );
+    assert_eq!(beyond("heat1d", &narrow), Vec::<String>::new());
+    for name in [
+        "heat1d",
+        "wall-day",
+        "robin-wall",
+        "layered-wall",
+        "decay-chain",
+    ] {
+        assert_eq!(beyond(name, &[]), Vec::<String>::new(), "{name}");
+    }
+}

@@ -3,7 +3,8 @@
 mod runs;
 
 use motes::engine::Threads;
-use motes::run::{ScalarName, Simulation, start};
+use motes::run::{RunError, ScalarName, Simulation, start};
+use motes::scenario::{AnyScenario, Source};
 
 /// One of each family; the second stands still and keeps its sorted cells.
 const CASES: [(&str, &[&str]); 4] = [
@@ -82,4 +83,28 @@ fn columns_are_found_by_their_headings() {
     assert!(plane.column("velocity").is_none() && plane.column("position_z").is_none());
     let spread = plane.spread("density").unwrap();
     assert!(spread.min > 0.0 && spread.min < spread.mean && spread.mean < spread.max);
+}
+
+/// Between two tasks, not only between steps.
+#[test]
+fn an_engine_that_is_told_to_stop_does_so_in_mid_step() {
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicBool, Ordering};
+
+    for name in ["sod", "acoustics1d", "heat1d"] {
+        for threads in [1, 3] {
+            let scenario = AnyScenario::read(Source::from(name), &[]).unwrap();
+            let mut engine = Threads::new(threads).unwrap();
+            let flag = Arc::new(AtomicBool::new(false));
+            engine.stop_on(Arc::clone(&flag));
+            let mut simulation = start(&scenario, ScalarName::F64, &mut engine).unwrap();
+            assert!(simulation.step(&mut engine).unwrap().is_some());
+            flag.store(true, Ordering::Relaxed);
+            let error = simulation.step(&mut engine).unwrap_err();
+            assert!(
+                matches!(error, RunError::Interrupted { step: 1, .. }),
+                "{name}: {error}"
+            );
+        }
+    }
 }

@@ -124,6 +124,8 @@ pub enum Error {
         /// Which.
         parameter: Parameter,
     },
+    /// The engine was asked to stop before its sums were whole.
+    Interrupted,
     /// The time step is below the resolution of the time.
     Stalled,
     /// Internal energy below zero.
@@ -227,7 +229,7 @@ impl fmt::Display for Error {
             ),
             Self::Isolated { particle } => write!(
                 f,
-                "particle {particle} sees no neighbour: use a larger epsilon, or an adaptive one"
+                "particle {particle} sees no neighbour: use a larger eta or epsilon"
             ),
             Self::Omega { particle } => write!(
                 f,
@@ -249,6 +251,7 @@ impl fmt::Display for Error {
                 f,
                 "{parameter} is not a finite number: the state is as it was; set it and step again"
             ),
+            Self::Interrupted => f.write_str("interrupted in mid-step"),
             Self::Stalled => f.write_str(
                 "the time step is below the resolution of the time in this number format: use a \
                  format with more digits, or a shorter run",

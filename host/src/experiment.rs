@@ -6,14 +6,17 @@ use crate::engine::Threads;
 use crate::exact::solution::Solution;
 use crate::families::{self, NoSolution, Plan, PlanError};
 use crate::run::{
-    Control, Norms, Outcome, RunError, ScalarName, Simulation, Window, complete, errors, start_plan,
+    Control, Norms, Outcome, RunError, ScalarName, Schedule, Simulation, Window, complete, errors,
+    start_plan,
 };
-use crate::scenario::AnyScenario;
+use crate::scenario::{AnyScenario, Interval};
 
 /// A scenario, what became of it, and how that compares.
 pub struct Experiment {
     /// What was run.
     pub scenario: AnyScenario,
+    /// The scalar that it was run in.
+    pub scalar: ScalarName,
     /// What was solved, at its end.
     pub simulation: Box<dyn Simulation>,
     /// What the run came to.
@@ -47,6 +50,16 @@ pub enum ExperimentError {
     Run(#[from] RunError),
 }
 
+/// When rows of the time series and snapshots are due.
+fn schedule(scenario: &AnyScenario) -> Schedule {
+    let mut intervals = vec![scenario.end() / scenario.samples() as f64];
+    if let Some(Interval::Time(every)) = scenario.snapshots().map(|of| of.interval) {
+        intervals.push(every);
+    }
+    intervals.retain(|&interval| interval > 0.0);
+    Schedule::new(intervals)
+}
+
 impl Experiment {
     /// Runs a scenario to its end and measures it; `checked` marks overflow in fixed point and
     /// stops at the first.
@@ -76,6 +89,9 @@ impl Experiment {
         control: &mut Control<'_>,
     ) -> Result<Self, RunError> {
         let mut simulation = start_plan(plan, (scalar, checked), engine)?;
+        if scenario.exact_times() {
+            simulation.meet(schedule(&scenario));
+        }
         let outcome = complete(&mut *simulation, engine, control)?;
         let reconstruction = simulation.reconstruct(None)?;
         let probe = match scenario.probe() {
@@ -96,6 +112,7 @@ impl Experiment {
         }
         Ok(Self {
             scenario,
+            scalar,
             simulation,
             outcome,
             exact,

@@ -36,6 +36,17 @@ impl<S: Scalar> Clock<S> {
         (left > S::ZERO).then_some(left)
     }
 
+    /// A step of `dt`, or all that is `left` where no more than 2^-20 of a step would remain: that is
+    /// rounding, and no step.
+    pub fn with_rest(dt: S, left: S) -> S {
+        let rest = left - dt;
+        if rest <= dt * S::from_f64(9.536_743_164_062_5e-7) {
+            left
+        } else {
+            dt
+        }
+    }
+
     /// Counts a step of `dt`, at most what is left. Error: a step that the time, as a number
     /// of this format, does not feel; the run would never end.
     pub fn tick(&mut self, dt: S) -> Result<(), Error> {

@@ -107,6 +107,15 @@ impl AnyScenario {
         }
     }
 
+    /// Whether steps are shortened so that rows of the time series and snapshots have their own
+    /// times.
+    pub fn exact_times(&self) -> bool {
+        match self {
+            Self::Gas(scenario) => scenario.output.exact_times,
+            Self::Linear(scenario) => scenario.output.exact_times,
+        }
+    }
+
     /// Where errors are measured.
     pub fn window(&self) -> &Extent {
         match self {

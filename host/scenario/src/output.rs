@@ -47,6 +47,12 @@ pub(super) fn window(section: &Section<'_>, domain: &Extent) -> Result<Extent, F
     }
 }
 
+/// Whether steps are shortened so that rows of the time series and snapshots have their own times.
+pub(super) fn exact_times(section: &Section<'_>) -> Result<bool, Fault> {
+    let entry = section.optional("exact-times");
+    entry.map_or(Ok(false), |entry| entry.truth())
+}
+
 /// Rows of the time series.
 pub(super) fn samples(section: &Section<'_>) -> Result<usize, Fault> {
     let cure = "give the number of rows of the time series, for example 100";

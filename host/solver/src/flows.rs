@@ -103,8 +103,11 @@ const REFERENCE_CELLS: usize = 3200;
 /// A converged finite-volume run of a one-dimensional scenario of one ideal gas, at its end.
 ///
 /// # Errors
-/// Numbers for which the scheme does not run.
-pub fn reference(scenario: &Scenario) -> Result<FiniteVolume, FlowError> {
+/// Numbers for which the scheme does not run, or not in a minute.
+pub fn reference(
+    scenario: &Scenario,
+    progress: &mut dyn FnMut(f64),
+) -> Result<FiniteVolume, FlowError> {
     let gamma = match scenario.materials[0].law {
         EquationOfState::IdealGas { gamma } => gamma,
         _ => f64::NAN,
@@ -137,5 +140,6 @@ pub fn reference(scenario: &Scenario) -> Result<FiniteVolume, FlowError> {
             })
         }
     };
-    FiniteVolume::new(grid, gamma, |x| start([x, 0.0, 0.0]))?.run_to(scenario.time.end)
+    let flow = FiniteVolume::new(grid, gamma, |x| start([x, 0.0, 0.0]))?;
+    flow.run_to_watched(scenario.time.end, progress)
 }

@@ -6,7 +6,7 @@ use clap::{Args, Parser, Subcommand};
 
 use super::Failure;
 use crate::run::{ScalarName, UnknownScalar};
-use crate::scenario::{AnyScenario, Source};
+use crate::scenario::{AnyScenario, Source, shortened};
 use crate::study::ErrorNorm;
 
 /// A deterministic particle solver for first-order systems of partial differential equations.
@@ -79,6 +79,9 @@ pub(super) struct RunArguments {
     /// Print nothing but errors
     #[arg(long)]
     pub quiet: bool,
+    /// Stop a run that at its pace would take more days than this
+    #[arg(long, default_value_t = LONGEST, value_name = "DAYS")]
+    pub longest: f64,
     /// Fixed point: stop at the first overflow and name its particle and quantity. Same
     /// digits, about five times slower
     #[arg(long)]
@@ -114,6 +117,9 @@ pub(super) struct SuiteArguments {
     #[arg(long)]
     pub json: bool,
 }
+
+/// Days that a run may take without being asked for: nobody waits for a year.
+const LONGEST: f64 = 365.0;
 
 /// Where the report of the suite goes.
 pub(super) const SUITE_FOLDER: &str = "out/suite";
@@ -199,6 +205,9 @@ pub(super) struct ConvergeArguments {
     /// Change a value of the scenario; may be given several times
     #[arg(long = "set", value_name = "SECTION.KEY=VALUE")]
     pub overrides: Vec<String>,
+    /// Stop a run that at its pace would take more days than this
+    #[arg(long, default_value_t = LONGEST, value_name = "DAYS")]
+    pub longest: f64,
     /// Print one JSON object on standard output, and nothing else
     #[arg(long)]
     pub json: bool,
@@ -238,7 +247,8 @@ pub(super) fn whole_number(flag: &str, text: &str) -> Result<u64, Failure> {
         Some(number) if number > 0 => Ok(number),
         _ => Err(Failure::Input(miette::miette!(
             help = "give a whole number above 0, such as -n 900 or -n 1e6",
-            "{flag} {text} is not a number of particles"
+            "{flag} {} is not a number of particles",
+            shortened(text)
         ))),
     }
 }

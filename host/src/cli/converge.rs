@@ -8,7 +8,7 @@ use super::Failure;
 use super::arguments::{ConvergeArguments, any_scenario, scalar, whole_number};
 use super::progress::Progress;
 use super::run::experiment_failure;
-use super::watch::Interrupt;
+use super::watch::{Interrupt, Patience};
 use crate::engine::Threads;
 use crate::experiment::Experiment;
 use crate::families::Plan;
@@ -40,6 +40,7 @@ pub(super) fn converge(arguments: &ConvergeArguments) -> Result<(), Failure> {
         interrupt: Interrupt::listen(),
         warnings: Vec::new(),
     };
+    runs.engine.stop_on(runs.interrupt.flag());
     let (norm, theory) = (subject.norm, subject.theory);
     let study = Study::run(&counts, norm, theory, |count| runs.level(count))?;
     runs.progress.bar.finish_and_clear();
@@ -174,13 +175,14 @@ impl Runs<'_> {
         let scenario = at(self.arguments, count)?;
         self.progress.begin(count);
         let (progress, interrupt) = (&self.progress, &self.interrupt);
+        let mut patience = Patience::new(self.arguments.longest);
         let mut control = Control {
             samples: scenario.samples(),
             progress: &mut |done| {
                 progress.show(done);
                 interrupt.goes_on()
             },
-            look: &mut |_| Ok(()),
+            look: &mut |simulation| patience.look(simulation),
         };
         let experiment = Experiment::run(
             scenario,

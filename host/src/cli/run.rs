@@ -6,7 +6,7 @@ use miette::{IntoDiagnostic, Report, WrapErr};
 
 use super::Failure;
 use super::arguments::{RunArguments, any_scenario, scalar};
-use super::watch::{Interrupt, progress_bar};
+use super::watch::{Interrupt, Patience, progress_bar};
 use crate::engine::Threads;
 use crate::experiment::{Experiment, ExperimentError};
 use crate::families::{self, Plan};
@@ -25,7 +25,13 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     )?;
     let scalar = scalar(&arguments.scalar)?;
     let plan = Plan::new(&scenario).map_err(Failure::input)?;
-    let exact = families::solution(&scenario)
+    let is_hidden = arguments.quiet || arguments.json;
+    let bar = progress_bar(is_hidden, 1000, "{msg} {wide_bar} {percent}% {eta} left");
+    bar.set_message(format!("{}, reference", scenario.name()));
+    let exact = families::solution_watched(&scenario, &mut |done| {
+        bar.set_position((1000.0 * done) as u64);
+    });
+    let exact = exact
         .map_err(Report::new)
         .wrap_err("this scenario has no exact solution: remove output.exact")
         .map_err(Failure::Input)?;
@@ -35,9 +41,10 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
     // Now rather than after the run: a folder that cannot be written to costs no time.
     io::writable(&out).map_err(Failure::input)?;
     let interrupt = Interrupt::listen();
-    let is_hidden = arguments.quiet || arguments.json;
-    let bar = progress_bar(is_hidden, 1000, "{msg} {wide_bar} {percent}% {eta} left");
+    engine.stop_on(interrupt.flag());
+    bar.reset();
     bar.set_message(scenario.name().to_owned());
+    let mut patience = Patience::new(arguments.longest);
     let mut snapshots = SnapshotWriter::new(&scenario, &out).map_err(Failure::input)?;
     let mut control = Control {
         samples: scenario.samples(),
@@ -45,13 +52,16 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             bar.set_position((1000.0 * done) as u64);
             interrupt.goes_on()
         },
-        look: &mut |simulation| snapshots.look(simulation),
+        look: &mut |simulation| {
+            snapshots.look(simulation)?;
+            patience.look(simulation)
+        },
     };
     let how = (scalar, arguments.check_overflow);
     let experiment = Experiment::of(scenario, (plan, exact), how, &mut engine, &mut control);
     bar.finish_and_clear();
     let experiment = experiment.map_err(failure)?;
-    results::write(&out, &experiment).map_err(Failure::Run)?;
+    let first = results::write(&out, &experiment).map_err(Failure::Run)?;
     let summary = Summary::new(&experiment, scalar.name(), engine.threads());
     if arguments.json {
         let json = serde_json::to_string(&summary)
@@ -59,7 +69,11 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             .map_err(Failure::Run)?;
         super::print(&format!("{json}\n"))
     } else if !arguments.quiet {
-        super::print(&format!("{summary}\nresults    {}\n", out.display()))
+        super::print(&format!(
+            "{summary}\nresults    {}\nopen       {}\n",
+            out.display(),
+            out.join(first).display()
+        ))
     } else {
         Ok(())
     }

@@ -3,8 +3,11 @@
 use std::io::IsTerminal;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::run::{Mark, Pace, Simulation};
 
 /// Ctrl-C, once it is pressed.
 #[derive(Clone)]
@@ -23,6 +26,41 @@ impl Interrupt {
     /// Whether the program goes on.
     pub fn goes_on(&self) -> bool {
         !self.0.load(Ordering::Relaxed)
+    }
+
+    /// What says so: true once it is pressed.
+    pub fn flag(&self) -> Arc<AtomicBool> {
+        Arc::clone(&self.0)
+    }
+}
+
+/// Stops a run that would take longer than anybody waits.
+pub(super) struct Patience {
+    started: Option<Instant>,
+    pace: Pace,
+}
+
+impl Patience {
+    /// For a run that may take so many days.
+    pub fn new(days: f64) -> Self {
+        Self {
+            started: None,
+            pace: Pace::new(days),
+        }
+    }
+
+    /// Looks at the run after a step.
+    ///
+    /// # Errors
+    /// How long it would take.
+    pub fn look(&mut self, simulation: &dyn Simulation) -> Result<(), String> {
+        let started = self.started.get_or_insert_with(Instant::now);
+        let now = Mark {
+            seconds: started.elapsed().as_secs_f64(),
+            done: simulation.done(),
+            steps: simulation.steps(),
+        };
+        self.pace.stops(now).map_or(Ok(()), Err)
     }
 }
 

@@ -47,7 +47,8 @@ pub fn components(name: &str, dimension: usize) -> Vec<String> {
     }
 }
 
-/// Writes a table of numbers: the shortest digits that read back to the same bits.
+/// Writes a table of numbers: the shortest digits that read back to the same bits, nothing where
+/// there is no finite number.
 pub(super) fn table(
     path: &Path,
     heading: &[String],
@@ -77,8 +78,11 @@ impl Rows<'_> {
         use std::fmt::Write;
         for number in row {
             self.digits.clear();
-            // Writing to a string cannot fail.
-            let _ = write!(self.digits, "{number}");
+            // Where there is no number, as a bound that nothing gives: no table reads `inf`.
+            if number.is_finite() {
+                // Writing to a string cannot fail.
+                let _ = write!(self.digits, "{number}");
+            }
             self.writer.write_field(&self.digits)?;
         }
         self.writer.write_record(None::<&[u8]>)?;

@@ -8,11 +8,11 @@ use super::pictures::pictures;
 use crate::experiment::Experiment;
 use crate::io;
 
-/// Writes all result files into a folder.
+/// Writes all result files into a folder; the name of the one to open first.
 ///
 /// # Errors
 /// Files that cannot be written.
-pub fn write(out: &Path, experiment: &Experiment) -> Result<(), Report> {
+pub fn write(out: &Path, experiment: &Experiment) -> Result<&'static str, Report> {
     let (scenario, simulation) = (&experiment.scenario, &*experiment.simulation);
     let exact = experiment.exact.as_deref();
     io::write_text(&out.join("scenario.toml"), scenario.text())?;
@@ -29,8 +29,11 @@ pub fn write(out: &Path, experiment: &Experiment) -> Result<(), Report> {
         let values = (probe, &experiment.probe[..]);
         io::write_probe(&out.join("probe.csv"), values, simulation, exact)?;
     }
-    for (name, picture) in pictures(experiment)? {
-        io::write_text(&out.join(name), &picture)?;
+    let pictures = pictures(experiment)?;
+    for (name, picture) in &pictures {
+        io::write_text(&out.join(name), picture)?;
     }
-    Ok(())
+    // The map where there is one: it says more of a plane than a line does.
+    let map = pictures.iter().find(|(name, _)| *name == "map.svg");
+    Ok(map.or(pictures.first()).map_or("", |(name, _)| name))
 }

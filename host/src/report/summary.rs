@@ -50,7 +50,7 @@ pub struct Summary {
     pub seconds: f64,
     /// Errors against the exact solution by field; `null` without one.
     pub errors: Option<BTreeMap<String, Norms>>,
-    /// Drift of the conserved sums; `null` where they are not conserved.
+    /// Drift of the sums of which it is known what they should be; `null` where there is none.
     #[serde(serialize_with = "as_object")]
     pub drift: Option<Vec<(String, f64)>>,
     /// The energy norm at the start and the end, and its bound at the end.
@@ -70,7 +70,7 @@ pub struct Summary {
     fields: Vec<String>,
     /// Why there is no drift to tell.
     #[serde(skip)]
-    leak: Option<&'static str>,
+    leak: &'static str,
 }
 
 /// Named numbers as an object that keeps their order.
@@ -108,7 +108,7 @@ impl Summary {
             time_step: [outcome.smallest_step, outcome.largest_step],
             seconds: outcome.seconds,
             errors: experiment.errors.clone(),
-            drift: outcome.is_conserving.then(|| outcome.drift.clone()),
+            drift: (description.known.contains(&true)).then(|| outcome.drift.clone()),
             energy_norm: None,
             balance: Vec::new(),
             neighbours: outcome.neighbours,
@@ -187,15 +187,15 @@ impl Summary {
     }
 
     fn sums(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match (&self.drift, self.leak) {
-            (Some(drift), _) => {
+        match &self.drift {
+            Some(drift) => {
                 let parts = drift
                     .iter()
                     .map(|(name, drift)| format!("{name} {drift:.1e}"));
                 writeln!(f, "\ndrift      {}", parts.collect::<Vec<_>>().join(", "))?;
             }
-            (None, leak) => {
-                writeln!(f, "\ndrift      none to tell: {}", leak.unwrap_or_default())?;
+            None => {
+                writeln!(f, "\ndrift      none to tell: {}", self.leak)?;
             }
         }
         if let Some(EnergyNorm { first, last, bound }) = self.energy_norm {

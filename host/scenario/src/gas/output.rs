@@ -3,7 +3,7 @@
 use crate::Extent;
 use crate::bound::{NOT_NEGATIVE, POSITIVE};
 use crate::error::Fault;
-use crate::output::{DEFAULT_SAMPLES, Snapshots, samples, snapshots, window};
+use crate::output::{DEFAULT_SAMPLES, Snapshots, exact_times, samples, snapshots, window};
 use crate::section::Section;
 
 use super::Gas;
@@ -23,6 +23,9 @@ pub struct Output {
     pub ring: Option<Ring>,
     /// States on the way, if any are written.
     pub snapshots: Option<Snapshots>,
+    /// Whether steps are shortened so that rows of the time series and snapshots have their own
+    /// times.
+    pub exact_times: bool,
 }
 
 /// A solution to compare with.
@@ -64,6 +67,7 @@ pub(super) fn output(root: &Section<'_>, domain: &Extent, gas: &Gas) -> Result<O
         exact: None,
         ring: None,
         snapshots: None,
+        exact_times: false,
     };
     let Some(entry) = root.optional("output") else {
         return Ok(output);
@@ -72,6 +76,7 @@ pub(super) fn output(root: &Section<'_>, domain: &Extent, gas: &Gas) -> Result<O
     output.window = window(&section, domain)?;
     output.samples = samples(&section)?;
     output.snapshots = snapshots(&section)?;
+    output.exact_times = exact_times(&section)?;
     if let Some(entry) = section.optional("exact") {
         let chosen = entry.choice(EXACT)?;
         if let Err((reason, cure)) = exists(chosen, domain.lower.len(), gas) {

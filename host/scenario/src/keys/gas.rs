@@ -137,6 +137,7 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
         &[
             key("window", "window = { lower = [-0.5], upper = [0.5] }"),
             key("samples", "samples = 100"),
+            key("exact-times", "exact-times = true"),
             key("exact", "exact = \"riemann\""),
             key("ring", "ring = { inner = 0.05, outer = 0.35 }"),
             key("snapshots", "snapshots = { every = 0.01 }"),

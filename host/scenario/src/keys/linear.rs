@@ -166,6 +166,7 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
         &[
             key("window", "window = { lower = [-0.5], upper = [0.5] }"),
             key("samples", "samples = 100"),
+            key("exact-times", "exact-times = true"),
             key("exact", "exact = \"initial\""),
             key("snapshots", "snapshots = { every = 0.01 }"),
             key("probe", "probe = { points = [200] }"),

@@ -4,7 +4,7 @@ use super::{Initial, System};
 use crate::entry::Entry;
 use crate::error::Fault;
 use crate::geometry::point_inside;
-use crate::output::{DEFAULT_SAMPLES, samples, snapshots, window};
+use crate::output::{DEFAULT_SAMPLES, exact_times, samples, snapshots, window};
 use crate::section::Section;
 use crate::tolerance::{self, Tolerance};
 use crate::{Domain, Extent, Snapshots};
@@ -20,6 +20,9 @@ pub struct Output {
     pub exact: bool,
     /// States on the way, if any are written.
     pub snapshots: Option<Snapshots>,
+    /// Whether steps are shortened so that rows of the time series and snapshots have their own
+    /// times.
+    pub exact_times: bool,
     /// Places where the smoothed solution is written at the end.
     pub probe: Option<Probe>,
 }
@@ -91,6 +94,7 @@ pub(super) fn output(
             samples: DEFAULT_SAMPLES,
             exact: false,
             snapshots: None,
+            exact_times: false,
             probe: None,
         });
     };
@@ -103,6 +107,7 @@ pub(super) fn output(
             None => false,
         },
         snapshots: snapshots(&section)?,
+        exact_times: exact_times(&section)?,
         probe: match section.optional("probe") {
             Some(entry) => Some(probe(&entry.section()?, extent)?),
             None => None,

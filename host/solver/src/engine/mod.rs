@@ -7,7 +7,8 @@ mod instruction_set;
 mod kernels;
 mod list;
 
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use motes_core::error::{Container, Error};
 use motes_core::neighbours::Cells;
@@ -22,6 +23,9 @@ pub use list::GrowingList;
 /// Receivers of one task at the least: below it, handing work over costs more than it saves.
 const SMALLEST_TASK: usize = 1024;
 
+/// Receivers of one task at the most: between two tasks a run can be stopped.
+const LARGEST_TASK: usize = 1 << 16;
+
 /// The engine of the host: receiver lanes over ranges of the sorted order, in parallel.
 pub struct Threads {
     pool: rayon::ThreadPool,
@@ -30,6 +34,8 @@ pub struct Threads {
     fresh: bool,
     /// Whose lists they are.
     served: u64,
+    /// Whether to stop, where somebody may say so.
+    stop: Option<Arc<AtomicBool>>,
 }
 
 /// Who keeps a sorted cloud between calls. The engine's neighbour lists are those of one cloud:
@@ -91,7 +97,14 @@ impl Threads {
             lists: Vec::new(),
             fresh: true,
             served: 0,
+            stop: None,
         })
+    }
+
+    /// Stops between two tasks, in the middle of a step, once the flag is set
+    /// ([`Error::Interrupted`]): a step of many particles takes long.
+    pub fn stop_on(&mut self, flag: Arc<AtomicBool>) {
+        self.stop = Some(flag);
     }
 
     /// Forgets the neighbour lists if they are those of another cloud.
@@ -114,10 +127,11 @@ impl Threads {
     fn task_length(&self, receivers: usize) -> usize {
         // Several tasks a thread: the ranges are not equally much work.
         let even = receivers.div_ceil(4 * self.threads());
-        match self.threads() {
+        let task = match self.threads() {
             1 => receivers.max(1),
             _ => even.max(SMALLEST_TASK),
-        }
+        };
+        task.min(LARGEST_TASK)
     }
 }
 
@@ -138,11 +152,17 @@ impl<S: HostScalar, const D: usize> Engine<S, D> for Threads {
         self.lists
             .resize_with(nodes.len().div_ceil(task), GrowingList::default);
         let set = self.instruction_set;
+        let stop = self.stop.as_deref();
+        let stops = || stop.is_some_and(|stop| stop.load(Ordering::Relaxed));
+        let stops = &stops;
         let ranges = settled.chunks_mut(task).zip(&mut self.lists);
         let tasks = ranges.enumerate().map(|(i, (settled, list))| {
             let run = move || {
                 if fresh {
                     list.clear();
+                }
+                if stops() {
+                    return false;
                 }
                 S::sweep(set, law, cells, nodes, i * task, settled, list, fresh)
             };
@@ -155,7 +175,11 @@ impl<S: HostScalar, const D: usize> Engine<S, D> for Threads {
             needed: u32::MAX,
             capacity: particles,
         };
-        if complete { Ok(()) } else { Err(full) }
+        match complete {
+            true => Ok(()),
+            false if stops() => Err(Error::Interrupted),
+            false => Err(full),
+        }
     }
 }
 

@@ -51,6 +51,9 @@ pub struct FiniteVolume {
 /// of it leaves room for a shock that leaves a step of the initial state faster than sound.
 const COURANT: f64 = 0.5;
 
+/// Most cells advanced, all steps together: about a minute. The two blast waves take a tenth.
+const MOST_WORK: f64 = 1e9;
+
 impl FiniteVolume {
     /// At t = 0, each cell as the flow is in its middle; the velocity along x and y is kept,
     /// the energy is that of the pressure.
@@ -95,15 +98,36 @@ impl FiniteVolume {
     /// The same flow at a later time.
     ///
     /// # Errors
+    /// As [`Self::run_to_watched`].
+    pub fn run_to(self, time: f64) -> Result<Self, FlowError> {
+        self.run_to_watched(time, &mut |_| ())
+    }
+
+    /// The same; `progress` is called with the part of the way that is done, in [0, 1].
+    ///
+    /// # Errors
     /// [`FlowError::NotPositive`] if density or pressure are no longer positive anywhere;
-    /// [`FlowError::OutOfRange`] for a time before that of the flow.
-    pub fn run_to(mut self, time: f64) -> Result<Self, FlowError> {
+    /// [`FlowError::OutOfRange`] for a time before that of the flow; [`FlowError::Endless`] if it
+    /// takes more than a billion cells and steps.
+    pub fn run_to_watched(
+        mut self,
+        time: f64,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Self, FlowError> {
         check(&[("time", time, ">= that of the flow", time >= self.time)])?;
+        let (start, most) = (self.time, MOST_WORK / self.grid.cells as f64);
+        let mut steps = 0.0;
         while self.time < time {
             let failed = FlowError::NotPositive { time: self.time };
             let fastest = self.fastest().ok_or(failed)?;
             let left = time - self.time;
             let step = COURANT * self.cell_size() / fastest;
+            steps += 1.0;
+            // Waves of the start may slow down: until then four times as many are let pass.
+            let all = steps + left / step;
+            if steps > most || all > 4.0 * most {
+                return Err(FlowError::Endless { steps: all, most });
+            }
             let last = !(step < left);
             let step = if last { left } else { step };
             let later = if last { time } else { self.time + step };
@@ -114,6 +138,7 @@ impl FiniteVolume {
             sweep::advance(&mut self.cells, ratio, self.gamma, &mut self.scratch);
             self.fill_ghosts();
             self.time = later;
+            progress((later - start) / (time - start));
         }
         let failed = FlowError::NotPositive { time: self.time };
         self.fastest().map(|_| ()).ok_or(failed)?;

@@ -37,6 +37,17 @@ pub enum FlowError {
         /// What it should be.
         need: &'static str,
     },
+    /// A numerical reference solution that takes too long.
+    #[error(
+        "the finite-volume reference takes some {steps:.1e} steps, more than {most:.1e}: a speed is out \
+         of proportion to the domain and time.end"
+    )]
+    Endless {
+        /// How many it would be.
+        steps: f64,
+        /// The most that are made.
+        most: f64,
+    },
     /// A density or pressure of a numerical reference solution is no longer positive.
     #[error("density or pressure is not positive at t = {time}: need more cells or milder data")]
     NotPositive {

@@ -18,7 +18,7 @@ mod table;
 
 use crate::exact::linear::error::SolutionError;
 use crate::exact::solution::Solution;
-use crate::run::{RECONSTRUCTION, STATE};
+use crate::run::{ENERGY, RECONSTRUCTION, STATE};
 use crate::scenario::AnyScenario;
 use crate::scenario::linear::{LinearScenario, System};
 pub use error::PlanError;
@@ -86,9 +86,20 @@ pub enum NoSolution {
 /// # Errors
 /// Data that it does not exist for.
 pub fn solution(scenario: &AnyScenario) -> Result<Option<Box<dyn Solution>>, NoSolution> {
+    solution_watched(scenario, &mut |_| ())
+}
+
+/// The same; `progress` hears the part that is done of what takes long.
+///
+/// # Errors
+/// Data that it does not exist for.
+pub fn solution_watched(
+    scenario: &AnyScenario,
+    progress: &mut dyn FnMut(f64),
+) -> Result<Option<Box<dyn Solution>>, NoSolution> {
     let scenario = match scenario {
         AnyScenario::Gas(scenario) => {
-            let solution = gas::ExactSolution::of(scenario)?;
+            let solution = gas::ExactSolution::watched(scenario, progress)?;
             return Ok(solution.map(|solution| Box::new(solution) as Box<dyn Solution>));
         }
         AnyScenario::Linear(scenario) => scenario,
@@ -110,7 +121,10 @@ pub fn compared(scenario: &AnyScenario) -> Vec<String> {
         AnyScenario::Gas(_) => gas::FIELDS.map(String::from).to_vec(),
         AnyScenario::Linear(scenario) => {
             let mut names = scenario.system.names(scenario.dimension);
-            names.extend([STATE, RECONSTRUCTION].map(String::from));
+            let has_units = !matches!(scenario.system, System::ConvectionDiffusion(_));
+            let energy = (has_units && names.len() > 1).then_some(ENERGY);
+            let whole = [Some(STATE), energy, Some(RECONSTRUCTION)];
+            names.extend(whole.into_iter().flatten().map(String::from));
             names
         }
     }

@@ -39,7 +39,8 @@ pub fn complete(
             (smallest, largest) = (smallest.min(step.length), largest.max(step.length));
         }
         let done = simulation.done();
-        let due = (done * control.samples as f64).floor();
+        // A rounding short of its time is that time.
+        let due = (done * control.samples as f64 + 1e-9).floor();
         if due > sampled || simulation.is_over() {
             sampled = due;
             simulation.observe(engine)?;
@@ -59,10 +60,15 @@ pub fn complete(
     let undamped = simulation.undamped(engine)?;
     let digest = simulation.digest();
     let description = simulation.description();
+    let first = simulation.expected(first);
     let drift = first
         .iter()
         .zip(&last)
         .map(|(first, last)| drift(first, last));
+    let drift = description.sums.iter().cloned().zip(drift);
+    let is_any_known = description.known.contains(&true);
+    let known = drift.zip(&description.known);
+    let drift = known.filter(|(_, known)| **known || !is_any_known);
     Ok(Outcome {
         particles: simulation.particles(),
         series: Series {
@@ -76,8 +82,8 @@ pub fn complete(
         time: simulation.time(),
         seconds,
         digest,
-        drift: description.sums.iter().cloned().zip(drift).collect(),
-        is_conserving: description.leak.is_none(),
+        drift: drift.map(|(drift, _)| drift).collect(),
+        is_conserving: description.is_conserving,
         neighbours: simulation.neighbours(),
         undamped,
     })
@@ -102,7 +108,7 @@ fn show(simulation: &dyn Simulation, control: &mut Control<'_>) -> Result<(), Ru
     })
 }
 
-/// What a sum has moved by, over the larger of its sizes; of a vector the length.
+/// What a sum is off by from the one expected, over the larger of their sizes; of a vector the length.
 fn drift(first: &Sum, last: &Sum) -> f64 {
     let moved = match (&first.value[..], &last.value[..]) {
         ([first], [last]) => last - first,

@@ -74,8 +74,6 @@ pub struct View {
     pub is_cut: bool,
     /// What the length of a vector is called on maps.
     pub length: &'static str,
-    /// The spacing for maps; `None`: that of the particles at the end.
-    pub spacing: Option<f64>,
 }
 
 /// What a simulation has, from its start to its end.
@@ -100,10 +98,14 @@ pub struct Description {
     pub snapshot: Vec<usize>,
     /// What is measured between steps, beside time, steps and the last step.
     pub diagnostics: Vec<String>,
-    /// The conserved sums.
+    /// The sums.
     pub sums: Vec<String>,
-    /// Why the sums are not conserved after all, if they are not.
-    pub leak: Option<&'static str>,
+    /// Of which of them it is known what they should be: [`Simulation::expected`](super::Simulation).
+    pub known: Vec<bool>,
+    /// Whether all are conserved.
+    pub is_conserving: bool,
+    /// Why it is not known, where it is not.
+    pub leak: &'static str,
     /// How it is drawn.
     pub view: View,
 }

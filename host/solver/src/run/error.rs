@@ -15,6 +15,13 @@ pub enum RunError {
         /// Why.
         error: Error,
     },
+    /// The solver cannot begin.
+    #[error("at t = 0, before the first step: {}", facts(error))]
+    #[diagnostic(help("{}", cure_of_start(error)))]
+    Start {
+        /// Why.
+        error: Error,
+    },
     /// Who looked at the run stopped it.
     #[error("at t = {time}: {reason}")]
     Look {
@@ -132,11 +139,56 @@ pub enum RunError {
 }
 
 impl RunError {
+    /// The same of a solver that has made no step: its cure is none of smaller ones.
+    pub(crate) fn at_start(self) -> Self {
+        match self {
+            Self::Solver { error, .. } => Self::Start { error },
+            other => other,
+        }
+    }
+
+    /// What an error of the solver is at a time, in the step of that number.
+    pub(crate) fn solver(time: f64, step: u64, error: Error) -> Self {
+        match error {
+            Error::Interrupted => Self::Interrupted { time, step },
+            error => Self::Solver { time, step, error },
+        }
+    }
+
     /// Whether the scenario has to be another one for the run to be made at all.
     pub fn is_of_input(&self) -> bool {
         matches!(
             self,
             Self::Format { .. } | Self::Memory { .. } | Self::Width { .. } | Self::Step { .. }
         )
+    }
+}
+
+/// What an error of the core says, without its cure.
+fn facts(error: &Error) -> String {
+    let text = error.to_string();
+    let facts = text.split_once(": ").map_or(&*text, |(facts, _)| facts);
+    facts.to_owned()
+}
+
+/// What to do about it before the first step, where steps are not at fault.
+fn cure_of_start(error: &Error) -> String {
+    let text = error.to_string();
+    let cure = text.split_once(": ").map_or("", |(_, cure)| cure);
+    match error {
+        Error::Epsilon { .. } => {
+            "use a larger eta, and look at the particles around that one: they may \
+                                  be few, or lie in one place"
+                .to_owned()
+        }
+        Error::NotFinite { .. } => {
+            "use a wider format (--scalar), or a state at t = 0 whose numbers \
+                                    are less unlike"
+                .to_owned()
+        }
+        Error::NegativeEnergy { .. } => "give the gas more energy at t = 0, or use a wider format \
+                                         (--scalar)"
+            .to_owned(),
+        _ => cure.to_owned(),
     }
 }

@@ -1,7 +1,8 @@
 //! A run that can be held: stepped by one verb, looked into through a description of its fields.
 //!
 //! Knows no equation. What every family of equations is seen as stands in `simulation` and
-//! `description`, the run loop in `complete`, what it leaves in `outcome`.
+//! `description`, the run loop in `complete`, what it leaves in `outcome`;
+//! `pace` says whether it ends in a time that one waits for.
 
 mod complete;
 mod description;
@@ -9,6 +10,8 @@ mod error;
 mod limits;
 mod norms;
 mod outcome;
+mod pace;
+mod schedule;
 mod simulation;
 mod spread;
 
@@ -17,7 +20,10 @@ pub(crate) use description::fields;
 pub use description::{Abscissa, Description, Field, Kind, View};
 pub use error::RunError;
 pub(crate) use limits::{check_memory, check_numbers, check_step};
-pub use norms::{NormSums, Norms, RECONSTRUCTION, STATE, Window, errors};
+pub use norms::{ENERGY, NormSums, Norms, RECONSTRUCTION, STATE, Window, errors};
 pub use outcome::{Outcome, Sample, Series};
+pub use pace::{Mark, Pace};
+pub use schedule::Schedule;
+pub(crate) use schedule::Stops;
 pub use simulation::{Balance, EnergyNorm, Measures, Particulars, Row, Simulation, Step, Sum};
 pub use spread::{Spread, Spreading};

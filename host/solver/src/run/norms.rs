@@ -75,6 +75,10 @@ impl NormSums {
 /// The name of all components together: the length of the difference.
 pub const STATE: &str = "state";
 
+/// The name of all components together in the energy norm, `(δu·P δu)^(1/2)`: of a state whose
+/// components have units of their own, which [`STATE`] adds up as bare numbers.
+pub const ENERGY: &str = "energy_norm";
+
 /// The name of the reconstruction (1.13) at the particles, all components together.
 pub const RECONSTRUCTION: &str = "reconstruction";
 
@@ -114,6 +118,7 @@ pub fn errors(
     let fields: Vec<_> = description.compared().collect();
     let mut sums = vec![NormSums::default(); fields.len()];
     let (mut state, mut smoothed) = (NormSums::default(), NormSums::default());
+    let (mut energy, weights) = (NormSums::default(), simulation.energy_weights());
     let mut exact = vec![0.0; solution.components()];
     let (time, mut id) = (simulation.time(), 0);
     simulation.each(|row: &Row| {
@@ -139,6 +144,10 @@ pub fn errors(
             let p = exact.len();
             let first = fields[0].first;
             state.add(row.volume, distance(&row.values[first..first + p], &exact));
+            if !weights.is_empty() {
+                let values = &row.values[first..first + p];
+                energy.add(row.volume, weighted(values, &exact, &weights));
+            }
             let smooth = &reconstruction[(id - 1) * p..id * p];
             smoothed.add(row.volume, distance(smooth, &exact));
         }
@@ -146,9 +155,11 @@ pub fn errors(
     let names = fields.iter().map(|field| field.name.as_str());
     let whole = [(STATE, state), (RECONSTRUCTION, smoothed)];
     let whole = whole.into_iter().filter(|_| description.is_state);
+    let energy = (!weights.is_empty()).then_some((ENERGY, energy));
     names
         .zip(sums)
         .chain(whole)
+        .chain(energy)
         .map(|(name, sums)| Some((name.to_owned(), sums.norms()?)))
         .collect()
 }
@@ -156,4 +167,12 @@ pub fn errors(
 fn distance(a: &[f64], b: &[f64]) -> f64 {
     let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
     squares.sum::<f64>().sqrt()
+}
+
+/// `((a - b)·P(a - b))^(1/2)`.
+fn weighted(a: &[f64], b: &[f64], weights: &[f64]) -> f64 {
+    let off: Vec<f64> = a.iter().zip(b).map(|(a, b)| a - b).collect();
+    let rows = off.iter().zip(weights.chunks_exact(off.len()));
+    let terms = rows.map(|(x, row)| x * row.iter().zip(&off).map(|(p, y)| p * y).sum::<f64>());
+    terms.sum::<f64>().max(0.0).sqrt()
 }

@@ -56,8 +56,9 @@ pub struct Outcome {
     pub seconds: f64,
     /// Digest of the last state.
     pub digest: Digest,
-    /// How far each conserved sum has moved from the first to the last state, over its size; where
-    /// the sums are not conserved, what has come and gone is in it.
+    /// How far each sum is off from what it should be at the end, over its size: from that of the
+    /// start where it is conserved, from its decay where it decays. Sums of which that is not known
+    /// are left out; where it is known of none, all are there, with what has come and gone in them.
     pub drift: Vec<(String, f64)>,
     /// Whether the sums are conserved: no sources, losses, open sides or walls.
     pub is_conserving: bool,

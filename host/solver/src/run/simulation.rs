@@ -7,6 +7,7 @@ use motes_core::digest::Digest;
 use super::description::Description;
 use super::error::RunError;
 use super::outcome::Outcome;
+use super::schedule::Schedule;
 use super::spread::{Spread, Spreading};
 use crate::engine::Threads;
 
@@ -112,6 +113,9 @@ pub trait Simulation: Send {
     /// Whether the end is reached.
     fn is_over(&self) -> bool;
 
+    /// Shortens steps from now on so that some end at the times of a schedule.
+    fn meet(&mut self, schedule: Schedule);
+
     /// Makes a step; `None` at the end.
     ///
     /// # Errors
@@ -134,6 +138,15 @@ pub trait Simulation: Send {
 
     /// Sums and diagnostics.
     fn measures(&self) -> Measures;
+    /// What the sums should be now, from those at the start.
+    fn expected(&self, first: Vec<Sum>) -> Vec<Sum> {
+        first
+    }
+    /// The matrix P of the energy `u·Pu` of a state, row by row: it weighs components of unlike units
+    /// against each other; empty where there is none, or where it is that of the squares alone.
+    fn energy_weights(&self) -> Vec<f64> {
+        Vec::new()
+    }
     /// The neighbour counts of all particles to see.
     fn neighbours(&self) -> Spread;
     /// The mean width of the cut-off.

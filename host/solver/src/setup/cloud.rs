@@ -115,8 +115,34 @@ impl Columns {
         }
         if self.density.is_some() {
             particle.pressure = law.pressure(particle.density, particle.energy);
+            self.agrees(row, law, &particle)?;
         }
         Ok(particle)
+    }
+
+    /// That a pressure beside an energy is the one that the equation of state gives.
+    fn agrees(
+        &self,
+        row: &Row<'_>,
+        law: &EquationOfState,
+        particle: &Placed,
+    ) -> Result<(), TableFault> {
+        let (Some(_), Some(column), false) = (&self.energy, &self.pressure, law.is_barotropic())
+        else {
+            return Ok(());
+        };
+        let (given, made) = (row.number(column)?, particle.pressure);
+        // What a run in few bits writes: a pressure that is a small difference of large terms.
+        let rounding = 1e-5 * particle.density * particle.energy;
+        if (given - made).abs() <= 0.01 * given.abs().max(made.abs()) + rounding {
+            return Ok(());
+        }
+        let need = format!(
+            "its density and energy give {made:.6e} by the equation of state ({}): take `energy` or \
+             `pressure` out, or correct one of them, or [material]",
+            law.name()
+        );
+        Err(row.fault(column, &need))
     }
 
     /// The energy of the row, or that of its pressure.

@@ -158,3 +158,22 @@ fn numbers_out_of_range_are_named() {
     let flow = FiniteVolume::new(grid(9, Ends::Periodic), 1.4, still).unwrap();
     assert!(flow.run_to(f64::NAN).is_err());
 }
+
+/// A wave that crosses the cells 10^9 times is refused at its first step, and progress is told.
+#[test]
+fn a_flow_without_end_is_refused_and_one_with_an_end_tells_how_far_it_is() {
+    let fast = |_: f64| FlowState::ideal(1.0, [0.0; 3], 1e18, 1.4);
+    let flow = FiniteVolume::new(grid(100, Ends::Reflecting), 1.4, fast).unwrap();
+    let error = flow.run_to(1.0).unwrap_err();
+    assert!(
+        matches!(error, FlowError::Endless { steps, .. } if steps > 1e11),
+        "{error}"
+    );
+    let still = |_: f64| FlowState::ideal(1.0, [0.0; 3], 1.0, 1.4);
+    let flow = FiniteVolume::new(grid(50, Ends::Reflecting), 1.4, still).unwrap();
+    let mut told = Vec::new();
+    flow.run_to_watched(0.5, &mut |done| told.push(done))
+        .unwrap();
+    assert!(told.is_sorted() && told.len() > 10);
+    assert_eq!(told.last(), Some(&1.0));
+}

@@ -8,7 +8,7 @@
 //! a real system of 2p numbers, solved by the exponential of its matrix. The values are wrong by
 //! some `1e-16 (1 + |K| t + |A^0| t)` of the largest ones in between.
 
-pub(in crate::exact) mod exponential;
+pub(crate) mod exponential;
 #[cfg(test)]
 pub(super) mod tests;
 

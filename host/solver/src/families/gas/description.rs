@@ -68,10 +68,9 @@ pub(super) fn description(plan: &Plan) -> Description {
         sums: ["mass", "momentum", "angular_momentum", "energy"]
             .map(String::from)
             .to_vec(),
-        leak: plan
-            .opening
-            .is_some()
-            .then_some("gas flows through the sides"),
+        known: vec![plan.opening.is_none(); 4],
+        is_conserving: plan.opening.is_none(),
+        leak: "gas flows through the sides",
         view: View {
             abscissa: plan.abscissa,
             label: match plan.abscissa {
@@ -83,7 +82,6 @@ pub(super) fn description(plan: &Plan) -> Description {
             half_width: None,
             is_cut: true,
             length: "speed",
-            spacing: None,
         },
     }
 }

@@ -35,6 +35,17 @@ impl ExactSolution {
     /// # Errors
     /// Data that the exact solution does not exist for.
     pub fn of(scenario: &Scenario) -> Result<Option<Self>, ExactError> {
+        Self::watched(scenario, &mut |_| ())
+    }
+
+    /// The same; `progress` hears the part that is done of what takes long.
+    ///
+    /// # Errors
+    /// Data that the exact solution does not exist for.
+    pub fn watched(
+        scenario: &Scenario,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<Option<Self>, ExactError> {
         let dimension = scenario.dimension;
         let of = |flow, riemann| {
             Some(Self {
@@ -53,7 +64,7 @@ impl ExactSolution {
                 of(Box::new(flow), Some((solution, interface)))
             }
             Some(Exact::Sedov) => of(Box::new(sedov(scenario)?), None),
-            Some(Exact::Reference) => of(Box::new(reference(scenario)?), None),
+            Some(Exact::Reference) => of(Box::new(reference(scenario, progress)?), None),
         };
         if let Some(solution) = &mut solution {
             let why = solution.felt(scenario);

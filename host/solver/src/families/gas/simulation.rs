@@ -17,8 +17,8 @@ use super::opening::OpenSides;
 use super::plan::Plan;
 use crate::engine::{Holder, HostScalar, Threads};
 use crate::run::{
-    Description, Measures, Outcome, Row, RunError, Simulation, Spread, Spreading, Step, Sum,
-    check_memory, check_step,
+    Description, Measures, Outcome, Row, RunError, Schedule, Simulation, Spread, Spreading, Step,
+    Stops, Sum, check_memory, check_step,
 };
 use crate::sums::Compensated;
 
@@ -60,6 +60,7 @@ struct GasSimulation<S: Scalar, P: Physics<S, D>, const D: usize> {
     setup: Setup<S, P, D>,
     memory: GasArrays<S, P::Shown, D>,
     clock: Clock<S>,
+    stops: Stops<S>,
     lonely: Option<Lonely>,
     holder: Holder,
     /// What the drifts of mass, momentum, angular momentum and energy are compared with.
@@ -100,6 +101,7 @@ fn prepared<S: HostScalar, P: Physics<S, D> + Send + 'static, const D: usize>(
     let mut simulation = GasSimulation {
         memory,
         clock: Clock::new(S::from_f64(plan.end)),
+        stops: Stops::none(),
         lonely: None,
         holder: Holder::new(),
         sizes: [0.0; 4],
@@ -113,7 +115,7 @@ fn prepared<S: HostScalar, P: Physics<S, D> + Send + 'static, const D: usize>(
             plan,
         },
     };
-    simulation.prepare(engine)?;
+    simulation.prepare(engine).map_err(RunError::at_start)?;
     Ok(Box::new(simulation))
 }
 
@@ -155,7 +157,7 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> GasSimulation<S, P,
     /// What an error of the solver is from here.
     fn failed(&self) -> impl Fn(Error) -> RunError + Copy + use<S, P, D> {
         let (time, step) = (self.time(), self.clock.steps);
-        move |error| RunError::Solver { time, step, error }
+        move |error| RunError::solver(time, step, error)
     }
 
     /// The first particle with fewer than two neighbours under a constant ε: its density no
@@ -221,16 +223,23 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
     }
 
     fn time(&self) -> f64 {
-        self.clock.time.to_f64() * self.setup.plan.units.time()
+        self.stops.time(&self.clock, self.setup.plan.units.time())
     }
     fn steps(&self) -> u64 {
         self.clock.steps
     }
     fn done(&self) -> f64 {
-        self.clock.time.to_f64() / self.clock.end.to_f64()
+        match self.is_over() {
+            true => 1.0,
+            false => self.clock.time.to_f64() / self.clock.end.to_f64(),
+        }
     }
     fn is_over(&self) -> bool {
         self.clock.left().is_none()
+    }
+
+    fn meet(&mut self, schedule: Schedule) {
+        self.stops = Stops::new(schedule);
     }
 
     fn step(&mut self, engine: &mut Threads) -> Result<Option<Step>, RunError> {
@@ -247,16 +256,19 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
         }
         let solver = self.setup.solver();
         let (mut gas, mut work) = self.memory.parts();
-        let dt = solver.time_step(&gas, left).map_err(failed)?;
+        let room = self.stops.room(&self.clock, left, unit);
+        let dt = solver.time_step(&gas, room.longest).map_err(failed)?;
+        let dt = Clock::with_rest(dt, room.longest);
         check_step((time, unit), dt, left)?;
         solver
             .advance(engine, &mut gas, &mut work, dt)
             .map_err(failed)?;
-        self.clock.tick(dt).map_err(failed)?;
+        let ticked = self.stops.tick(&mut self.clock, dt, &room);
+        ticked.map_err(failed)?;
         self.watch();
         Ok(Some(Step {
             length: dt.to_f64() * unit,
-            is_whole: dt < left,
+            is_whole: dt < room.longest,
             evaluations: 1,
         }))
     }

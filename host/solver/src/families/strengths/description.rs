@@ -29,7 +29,9 @@ pub(super) fn description(plan: &Plan) -> Description {
         snapshot: (1..=last).collect(),
         diagnostics,
         sums: plan.names.clone(),
-        leak: (!plan.is_conserving).then_some("losses, sources or walls change the sums"),
+        known: plan.budget.known.clone(),
+        is_conserving: plan.budget.is_conserving(),
+        leak: "sources or walls change the sums",
         view: View {
             abscissa: Abscissa::Along(0),
             label: match dimension {
@@ -39,7 +41,6 @@ pub(super) fn description(plan: &Plan) -> Description {
             half_width: (dimension > 1).then_some(0.5 * spacing),
             is_cut: false,
             length: "",
-            spacing: Some(spacing),
         },
     }
 }

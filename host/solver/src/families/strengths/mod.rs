@@ -2,6 +2,7 @@
 //! and the simulation of both, over a solver of either.
 
 mod balance;
+mod budget;
 mod description;
 mod doubts;
 mod field;

@@ -11,6 +11,7 @@ use motes_core::equation::linear::systems::Units;
 use motes_core::integrator::{RK4, RungeKutta, SSP_RK3};
 use motes_core::scalar::Scalar;
 
+use super::budget::Budget;
 use super::doubts::doubts;
 use super::field::PlannedField;
 use super::layers;
@@ -20,7 +21,7 @@ use crate::exact::solution::Solution;
 use crate::families::PlanError;
 use crate::run::{RunError, check_memory, check_numbers};
 use crate::scenario;
-use crate::scenario::linear::{Field, LinearScenario, Method, Reaction, System};
+use crate::scenario::linear::{Field, LinearScenario, Method, System};
 use crate::symmetriser::Symmetriser;
 
 /// A run of a linear system in solver units. Vectors have three components; those beyond the
@@ -71,8 +72,8 @@ pub struct Plan {
     pub amplitude: f64,
     /// Whether neighbours are counted after every step: snapshots show them.
     pub counts_always: bool,
-    /// Whether the sums of the strengths are conserved: no losses, no sources, no walls.
-    pub is_conserving: bool,
+    /// What becomes of the sums of the strengths.
+    pub(in crate::families) budget: Budget,
     /// Why the results may not mean what they say.
     pub doubts: Vec<String>,
 }
@@ -152,7 +153,7 @@ impl Plan {
             amplitude,
             counts_always: scenario.output.snapshots.is_some(),
             growth_margin: scenario.time.growth_margin,
-            is_conserving: is_conserving(scenario),
+            budget: Budget::of(scenario),
             doubts: doubts(scenario, spacing, &quadrature.weights)
                 .into_iter()
                 .chain(layered)
@@ -321,28 +322,4 @@ fn velocity(
         _ => fastest,
     };
     if fastest > 0.0 { fastest } else { 1.0 }
-}
-
-/// Whether nothing changes the sums of the strengths.
-fn is_conserving(scenario: &LinearScenario) -> bool {
-    if let System::ConvectionDiffusion(problem) = &scenario.system {
-        return problem.reaction == Reaction::None && problem.is_closed();
-    }
-    let sides = scenario.domain.sides.iter().flatten();
-    let walls = sides
-        .filter(|&&side| side == scenario::Side::Mirror)
-        .count()
-        > 0;
-    let calm = match &scenario.system {
-        System::Transport { decay, source, .. } => *decay == 0.0 && *source == 0.0,
-        System::Telegraph {
-            resistance,
-            conductance,
-            ..
-        } => *resistance == 0.0 && *conductance == 0.0,
-        System::ShallowWater { coriolis, .. } => *coriolis == 0.0,
-        System::Matrices { decay, .. } => decay.iter().all(|&a| a == 0.0),
-        _ => true,
-    };
-    calm && !walls
 }

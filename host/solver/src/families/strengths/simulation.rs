@@ -10,16 +10,17 @@ use motes_core::scalar::Scalar;
 
 use super::balance::{Source, balance};
 use super::description::description;
-use super::doubts::undamped;
+use super::doubts::{beyond, undamped};
 use super::growth::Monitor;
 use super::memory::CloudArrays;
 use super::plan::Plan;
 use super::solver::Solver;
 use crate::engine::{Holder, HostScalar, Threads};
 use crate::run::{
-    Description, EnergyNorm, Measures, Outcome, Particulars, Row, RunError, Simulation, Spread,
-    Step, Sum, check_memory, check_step,
+    Description, EnergyNorm, Measures, Outcome, Particulars, Row, RunError, Schedule, Simulation,
+    Spread, Step, Stops, Sum, check_memory, check_step,
 };
+use crate::scenario::linear::System;
 use crate::sums::compensated;
 
 /// A cloud in the memory of a server. `P` may exceed the components of the plan: those beyond
@@ -30,6 +31,7 @@ struct Strengths<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usi
     solver: V,
     memory: V::Memory,
     clock: Clock<S>,
+    stops: Stops<S>,
     /// The step that is asked for.
     given: Option<S>,
     monitor: Monitor,
@@ -60,6 +62,7 @@ where
     let mut simulation = Strengths {
         memory: solver.memory(particles),
         clock: Clock::new(S::from_f64(plan.end)),
+        stops: Stops::none(),
         given: plan.step.map(S::from_f64),
         monitor: Monitor::new(None, 0, 0.0, 0.0),
         holder: Holder::new(),
@@ -67,7 +70,7 @@ where
         solver,
         description,
     };
-    simulation.prepare(engine)?;
+    simulation.prepare(engine).map_err(RunError::at_start)?;
     Ok(Box::new(simulation))
 }
 
@@ -128,7 +131,7 @@ impl<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usize> Strength
                     epsilon,
                     error,
                 },
-                false => RunError::Solver { time, step, error },
+                false => RunError::solver(time, step, error),
             }
         }
     }
@@ -188,6 +191,35 @@ impl<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usize> Strength
         let sizes = strengths.map(|q| S::rounded(q[component]).to_f64().abs());
         self.plan.unit_of_volume() * compensated(sizes)
     }
+
+    /// What the drift of each component is compared with: `‖u‖ (V/P_ii)^(1/2)`, which `Σ_k |q_k|`
+    /// would be with all the energy spread evenly in that component; of one that is 0 its own size
+    /// would be rounding. The energy weighs components of unlike units against each other.
+    fn scales(&self) -> Vec<f64> {
+        let cloud = self.cloud();
+        let volume =
+            self.plan.unit_of_volume() * compensated(cloud.weight.iter().map(|w| w.to_f64()));
+        let norm = self.norm();
+        let place = cloud.position.first().map(|&position| Place {
+            position,
+            time: self.clock.time,
+        });
+        let scale = |component: usize| {
+            let mut unit = [S::ZERO; P];
+            unit[component] = S::ONE;
+            let weight = place
+                .as_ref()
+                .map_or(S::ZERO, |place| self.solver.energy_density(place, &unit));
+            let scale = norm * (volume / weight.to_f64()).sqrt();
+            // A format may have no digits for the weight.
+            if scale.is_finite() {
+                scale
+            } else {
+                self.size(component)
+            }
+        };
+        (0..self.plan.names.len()).map(scale).collect()
+    }
 }
 
 impl<S, V, const D: usize, const P: usize> Simulation for Strengths<S, V, D, P>
@@ -204,16 +236,23 @@ where
         if self.is_over() {
             return self.plan.duration;
         }
-        self.clock.time.to_f64() * self.plan.unit_of_time()
+        self.stops.time(&self.clock, self.plan.unit_of_time())
     }
     fn steps(&self) -> u64 {
         self.clock.steps
     }
     fn done(&self) -> f64 {
-        self.clock.time.to_f64() / self.clock.end.to_f64()
+        match self.is_over() {
+            true => 1.0,
+            false => self.clock.time.to_f64() / self.clock.end.to_f64(),
+        }
     }
     fn is_over(&self) -> bool {
         self.clock.time == self.clock.end
+    }
+
+    fn meet(&mut self, schedule: Schedule) {
+        self.stops = Stops::new(schedule);
     }
 
     fn step(&mut self, engine: &mut Threads) -> Result<Option<Step>, RunError> {
@@ -222,14 +261,16 @@ where
         };
         engine.serve(&self.holder);
         let failed = self.failed();
-        let dt = self.time_step(left)?;
         let unit = self.plan.unit_of_time();
+        let room = self.stops.room(&self.clock, left, unit);
+        let dt = Clock::with_rest(self.time_step(room.longest)?, room.longest);
         check_step((self.time(), unit), dt, left)?;
         let source = self.source_norm();
         let step = (self.clock.time, dt);
         let made = self.solver.advance(engine, &mut self.memory, step);
         let evaluations = made.map_err(failed)?;
-        self.clock.tick(dt).map_err(failed)?;
+        let ticked = self.stops.tick(&mut self.clock, dt, &room);
+        ticked.map_err(failed)?;
         let length = dt.to_f64() * unit;
         let (time, norm) = (self.time(), self.norm());
         self.monitor.step(time, length, source, norm)?;
@@ -238,7 +279,7 @@ where
         }
         Ok(Some(Step {
             length,
-            is_whole: true,
+            is_whole: dt < room.longest,
             evaluations,
         }))
     }
@@ -275,9 +316,10 @@ where
 
     fn measures(&self) -> Measures {
         let components = 0..self.plan.names.len();
+        let scales = self.scales();
         let sum = |component: usize| Sum {
             value: vec![self.total(component)],
-            size: self.size(component),
+            size: scales[component],
         };
         let sums: Vec<Sum> = components.clone().map(sum).collect();
         let spread = |component: usize| {
@@ -295,6 +337,39 @@ where
             diagnostics.extend(sources.map(|source| volume * source.total(ledger)));
         }
         Measures { diagnostics, sums }
+    }
+
+    fn energy_weights(&self) -> Vec<f64> {
+        let (p, cloud) = (self.plan.names.len(), self.cloud());
+        let is_plain = matches!(self.plan.system, System::ConvectionDiffusion(_));
+        let Some(&position) = cloud.position.first().filter(|_| !is_plain && p > 1) else {
+            return Vec::new();
+        };
+        let time = self.clock.time;
+        let place = Place { position, time };
+        let energy = |i: usize, j: usize| {
+            let mut u = [S::ZERO; P];
+            (u[i], u[j]) = (S::ONE, S::ONE);
+            self.solver.energy_density(&place, &u).to_f64()
+        };
+        // Of both at once what is not of either is that of their product, twice.
+        let entry = |i: usize, j: usize| match i == j {
+            true => energy(i, i),
+            false => 0.5 * (energy(i, j) - energy(i, i) - energy(j, j)),
+        };
+        (0..p * p).map(|k| entry(k / p, k % p)).collect()
+    }
+
+    fn expected(&self, first: Vec<Sum>) -> Vec<Sum> {
+        let sums: Vec<f64> = first.iter().map(|sum| sum.value[0]).collect();
+        let after = self.plan.budget.after(self.time(), &sums);
+        let size = |sum: &Sum| sum.size;
+        (first.iter().map(size).zip(after))
+            .map(|(size, value)| Sum {
+                value: vec![value],
+                size,
+            })
+            .collect()
     }
 
     fn neighbours(&self) -> Spread {
@@ -351,7 +426,8 @@ where
                  larger epsilon (cut-off.eta)"
             )
         });
-        thin.into_iter().collect()
+        let beyond = beyond(&self.plan, &outcome.series);
+        thin.into_iter().chain(beyond).collect()
     }
 
     fn particulars(&self, outcome: &Outcome) -> Option<Particulars> {

@@ -207,3 +207,32 @@ fn a_missing_file_tells_where_it_is_looked_for() {
     let error = particles(&scenario).unwrap_err().to_string();
     assert!(error.contains(&path.display().to_string()), "{error}");
 }
+
+/// The pressure of gamma 1.5, density 2 and energy 3 is 3.
+#[test]
+fn an_energy_and_a_pressure_that_contradict_each_other_are_refused_with_both() {
+    let cloud = |pressure: &str| {
+        format!("position,velocity,mass,density,energy,pressure\n0.5,0,1,2,3,{pressure}\n")
+    };
+    let air = "[material]\nequation-of-state = \"ideal-gas\"\ngamma = 1.5\n";
+    // Within what few digits leave, the energy counts.
+    for fair in ["3", "3.00001", "2.98"] {
+        assert_eq!(read(1, air, &cloud(fair)).unwrap()[0].pressure, 3.0);
+    }
+    for foul in ["3.1", "2.9", "-3", "3000", "0"] {
+        let error = read(1, air, &cloud(foul)).unwrap_err();
+        let report = miette::Report::new(error);
+        let text = format!("{report}: {}", report.help().unwrap());
+        for part in [
+            "line 2",
+            &format!("pressure = {foul}"),
+            "3.000000e0",
+            "ideal-gas",
+        ] {
+            assert!(text.contains(part), "no {part:?} in {text}");
+        }
+    }
+    // Without a density nothing says what the pressure should be.
+    let silent = "position,velocity,mass,energy,pressure\n0.5,0,1,3,77\n";
+    assert!(read(1, air, silent).is_ok());
+}

@@ -5,7 +5,7 @@
 const DEGREE: u32 = 18;
 
 /// The product of an n by n matrix and one of n rows, both row by row.
-pub(in crate::exact) fn product(a: &[f64], b: &[f64], n: usize) -> Vec<f64> {
+pub(crate) fn product(a: &[f64], b: &[f64], n: usize) -> Vec<f64> {
     let columns = b.len() / n;
     let mut c = vec![0.0; b.len()];
     for (row, out) in a.chunks_exact(n).zip(c.chunks_exact_mut(columns)) {
@@ -27,7 +27,7 @@ fn norm(matrix: &[f64], n: usize) -> f64 {
 }
 
 /// `e^M` for an n by n matrix of finite numbers.
-pub(in crate::exact) fn exponential(matrix: &[f64], n: usize) -> Vec<f64> {
+pub(crate) fn exponential(matrix: &[f64], n: usize) -> Vec<f64> {
     // norm = f 2^e with f in [1/2, 1): 2^-(e+1) takes it to 1/2 at most.
     let (_, exponent) = libm::frexp(norm(matrix, n));
     let squarings = (exponent + 1).max(0);

@@ -1,0 +1,110 @@
+//! What becomes of the sums of the strengths: the pair terms of (1.18) and (4.3) are odd, so that only
+//! walls, losses and sources change them.
+
+use crate::exact::linear::modes::exponential::{exponential, product};
+use crate::scenario::Side;
+use crate::scenario::linear::{LinearScenario, Reaction, System};
+
+/// What becomes of the sums of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::families) struct Budget {
+    /// Of which components it is known: those that nothing comes to or goes from but by `losses`.
+    pub known: Vec<bool>,
+    /// The matrix of `d(Σ q)/dt = -A⁰ Σ q`, row by row, 1 / time; empty where it is 0.
+    losses: Vec<f64>,
+}
+
+impl Budget {
+    /// That of a scenario.
+    pub fn of(scenario: &LinearScenario) -> Self {
+        let names = scenario.system.names(scenario.dimension);
+        let losses = losses(&scenario.system);
+        let known = match &losses {
+            None => vec![false; names.len()],
+            Some(losses) => {
+                let passes = |name: &String| passes_walls(scenario, name);
+                let closed: Vec<bool> = names.iter().map(|name| !passes(name)).collect();
+                // Losses tie sums together: with one that is not known the others are not.
+                match losses.is_empty() || closed.iter().all(|&closed| closed) {
+                    true => closed,
+                    false => vec![false; names.len()],
+                }
+            }
+        };
+        Self {
+            known,
+            losses: losses.unwrap_or_default(),
+        }
+    }
+
+    /// Whether no sum changes.
+    pub fn is_conserving(&self) -> bool {
+        self.losses.is_empty() && self.known.iter().all(|&known| known)
+    }
+
+    /// The sums after a time, from those at the start: `e^(-A⁰ t) Σ q`.
+    pub fn after(&self, time: f64, sums: &[f64]) -> Vec<f64> {
+        if self.losses.is_empty() {
+            return sums.to_vec();
+        }
+        let n = sums.len();
+        let matrix: Vec<f64> = self.losses.iter().map(|a| -a * time).collect();
+        product(&exponential(&matrix, n), sums, n)
+    }
+}
+
+/// `A⁰` of the sums, empty where it is 0; `None` where the equation of the sums is not so simple.
+fn losses(system: &System) -> Option<Vec<f64>> {
+    let losses = match system {
+        System::Transport { decay, source, .. } => match *source == 0.0 {
+            true => vec![*decay],
+            false => return None,
+        },
+        System::Telegraph {
+            inductance,
+            capacitance,
+            resistance,
+            conductance,
+        } => vec![conductance / capacitance, 0.0, 0.0, resistance / inductance],
+        System::ShallowWater { coriolis: f, .. } => {
+            vec![0.0, 0.0, 0.0, 0.0, 0.0, -f, 0.0, *f, 0.0]
+        }
+        System::Matrices { decay, .. } => decay.clone(),
+        System::ConvectionDiffusion(problem) => match &problem.reaction {
+            Reaction::None => Vec::new(),
+            Reaction::Linear { matrix, source } if source.iter().all(|&f| f == 0.0) => {
+                matrix.iter().map(|m| -m).collect()
+            }
+            _ => return None,
+        },
+        _ => Vec::new(),
+    };
+    let is_zero = losses.iter().all(|&a| a == 0.0);
+    Some(if is_zero { Vec::new() } else { losses })
+}
+
+/// Whether a sum changes at the walls. At a mirror normal velocities and what else is odd are 0: what
+/// they carry stays, and what pushes on them does not.
+fn passes_walls(scenario: &LinearScenario, component: &str) -> bool {
+    if let System::ConvectionDiffusion(problem) = &scenario.system {
+        return !problem.is_closed();
+    }
+    let sides = scenario.domain.sides.iter();
+    let axes = ["x", "y", "z"].into_iter().zip(sides);
+    let mut walls = axes
+        .filter(|(_, sides)| sides.contains(&Side::Mirror))
+        .peekable();
+    if walls.peek().is_none() {
+        return false;
+    }
+    match &scenario.system {
+        System::Transport { .. } => false,
+        System::Acoustics { .. } | System::ShallowWater { .. } | System::LinearisedGas { .. } => {
+            // In one dimension the velocity has no axis in its name.
+            let normal =
+                |axis: &str| component == "velocity" || component == format!("velocity_{axis}");
+            walls.any(|(axis, _)| normal(axis))
+        }
+        _ => true,
+    }
+}

@@ -131,3 +131,22 @@ fn a_missed_bound_is_seen() {
     let missed: Vec<bool> = measured.row.checks.iter().map(|c| !c.holds()).collect();
     assert_eq!(missed, [true, false, false, true]);
 }
+
+/// The reason of a bound begins with what was measured: it is below the bound, and not far below.
+#[test]
+fn reasons_do_not_contradict_their_bounds() {
+    for case in CASES {
+        for tolerance in case.scenario(&[]).unwrap().tolerances() {
+            let (name, reason, bound) = (case.name(), tolerance.reason, tolerance.value);
+            let number = reason.split([' ', ':', ';', ',']).next().unwrap();
+            let measured: f64 = number
+                .parse()
+                .unwrap_or_else(|_| panic!("{name}: {reason}"));
+            assert!(
+                (0.6 * bound..=bound).contains(&measured),
+                "{name}: {reason}, but the bound of {} is {bound}",
+                tolerance.field
+            );
+        }
+    }
+}

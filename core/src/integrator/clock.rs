@@ -74,6 +74,19 @@ mod tests {
         assert_eq!((clock.time, clock.steps), (1.0, 4));
     }
 
+    /// Ten times 0.1 in f64 is 1.1e-16 short of 1: no eleventh step.
+    #[test]
+    fn what_rounding_leaves_is_no_step() {
+        let mut clock = Clock::new(1.0f64);
+        while let Some(left) = clock.left() {
+            let dt = Clock::with_rest(if left < 0.1 { left } else { 0.1 }, left);
+            assert_eq!(clock.tick(dt), Ok(()));
+        }
+        assert_eq!((clock.time, clock.steps), (1.0, 10));
+        assert_eq!(Clock::with_rest(0.1, 0.100_001), 0.1);
+        assert_eq!(Clock::with_rest(0.1f32, 0.100_000_01), 0.100_000_01);
+    }
+
     #[test]
     fn a_step_that_the_time_does_not_feel_is_an_error() {
         let mut clock = Clock {

@@ -176,6 +176,7 @@ where
             Some(step) => step.lesser(longest),
             None => dynamics.stable_step(&self.method, &parts, time, longest)?,
         };
+        let dt = Clock::with_rest(dt, longest);
         let step = Step { time, dt };
         dynamics.ready(step)?;
         let mut clock = self.clock;

@@ -194,6 +194,10 @@ fn tolerances(experiment: &Experiment, scalar: &str) -> Vec<Check> {
         true => IN_FIXED_POINT,
         false => 1.0,
     };
+    let reason = |reason: String| match factor == 1.0 {
+        true => reason,
+        false => format!("{reason}; {factor} times that of floating point: digits lost in steps"),
+    };
     let check = |tolerance: crate::scenario::Tolerance<String>| {
         let (field, norm) = (tolerance.field, tolerance.norm);
         let errors = experiment.errors.as_ref();
@@ -201,7 +205,7 @@ fn tolerances(experiment: &Experiment, scalar: &str) -> Vec<Check> {
             what: format!("{field} {}", norm.name().to_uppercase()),
             measured: errors.map_or(f64::NAN, |errors| errors[&field].of(norm)),
             bound: factor * tolerance.value,
-            reason: tolerance.reason,
+            reason: reason(tolerance.reason),
             lower: false,
         }
     };

@@ -136,10 +136,11 @@ where
         if let Some(component) = drift.get_mut(wall.axis) {
             *component = -*component;
         }
+        let image = self.system.reflected(&node.value, wall.axis);
         SystemNode {
             weight: node.weight,
             drift,
-            value: self.system.reflected(&node.value, wall.axis),
+            value: self.system.behind(&node.medium, &image, wall),
             medium: self.system.reflected_medium(&node.medium, wall.axis),
         }
     }

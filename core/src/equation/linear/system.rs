@@ -1,6 +1,7 @@
 //! What a linear first-order system has to say.
 
 use crate::cloud::Place;
+use crate::domain::Wall;
 use crate::pairs::Fields;
 use crate::scalar::{Number, Scalar};
 
@@ -75,10 +76,23 @@ pub trait FirstOrderSystem<S: Scalar, const D: usize, const P: usize>: Sync {
     }
 
     /// The mirror image of a state in a wall across direction `axis`: a parity, 1 or -1, per
-    /// component. It must make the image of a solution a solution.
+    /// component. It must make the image of a solution a solution, of `A⁰` too; where that
+    /// couples components of unlike parity, [`FirstOrderSystem::behind`] has to make up for it.
     fn reflected(&self, u: &[S; P], axis: usize) -> [S; P] {
         let _ = axis;
         *u
+    }
+
+    /// What lies behind a wall, from the mirror image that parity makes: the same, unless `A⁰`
+    /// couples components of unlike parity.
+    ///
+    /// At the wall the odd components are 0 at all times. Their equations then say how steep the
+    /// even ones are there, `C^n ∂_n u = f - A⁰ u`; a mirror image is flat. The image is to lie on
+    /// that straight line, as [`Condition::Flux`](crate::equation::diffusion::Condition) has it:
+    /// with a flat one the odd components have an error of order 1 next to the wall.
+    fn behind(&self, medium: &Self::Medium, image: &[S; P], wall: &Wall<S>) -> [S; P] {
+        let _ = (medium, wall);
+        *image
     }
 
     /// The mirror image of a medium.

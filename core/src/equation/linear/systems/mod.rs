@@ -17,7 +17,7 @@ pub use elastic_waves::ElasticWaves;
 pub use linearised_gas::LinearisedGas;
 pub use matrices::Matrices;
 pub use maxwell::MaxwellTe;
-pub use shallow_water::ShallowWater;
+pub use shallow_water::{Location, ShallowWater};
 pub use telegraph::Telegraph;
 pub use transport::Transport;
 

@@ -2,7 +2,8 @@
 //! own mirror image.
 
 use super::*;
-use crate::equation::linear::{FirstOrderSystem, Nothing, Still};
+use crate::domain::Wall;
+use crate::equation::linear::{FirstOrderSystem, Nothing, Place, Still};
 
 /// Numbers in [-1, 1] from a seed.
 fn numbers<const N: usize>(seed: u32) -> [f64; N] {
@@ -20,16 +21,20 @@ fn dot<const P: usize>(a: &[f64; P], b: &[f64; P]) -> f64 {
 /// Checks a system of constant coefficients; `has_parity`: whether it may meet walls.
 fn check<F, const D: usize, const P: usize>(name: &str, system: &F, has_parity: bool)
 where
-    F: FirstOrderSystem<f64, D, P, Medium = Nothing>,
+    F: FirstOrderSystem<f64, D, P>,
 {
+    let medium = system.medium(&Place {
+        position: [0.0; D],
+        time: 0.0,
+    });
     for seed in 0..50 {
         let (n, u, v) = (
             numbers::<D>(seed),
             numbers::<P>(seed + 100),
             numbers::<P>(seed + 200),
         );
-        let flux = |n: &[f64; D], u: &[f64; P]| system.flux(&Nothing, n, u);
-        let weighed = |u: &[f64; P]| system.symmetrised(&Nothing, u);
+        let flux = |n: &[f64; D], u: &[f64; P]| system.flux(&medium, n, u);
+        let weighed = |u: &[f64; P]| system.symmetrised(&medium, u);
         let size: f64 = flux(&n, &u).iter().map(|f| f.abs()).sum::<f64>() + 1.0;
 
         let back = flux(&n.map(|n| -n), &u);
@@ -50,7 +55,7 @@ where
         let length = dot(&n, &n).sqrt();
         let image = flux(&n, &u);
         let grown = (dot(&image, &weighed(&image)) / dot(&u, &weighed(&u))).sqrt();
-        let speed = system.speed(&Nothing) * length;
+        let speed = system.speed(&medium) * length;
         assert!(
             grown <= speed * (1.0 + 1e-12),
             "{name}: {grown} is faster than {speed}"
@@ -64,6 +69,21 @@ where
             assert_eq!(one, other, "{name} across {axis}");
             let twice = system.reflected(&system.reflected(&u, axis), axis);
             assert_eq!(twice, u, "{name}");
+            // Where the losses are no mirror image of themselves, the image must not be one either.
+            let place = Place {
+                position: [0.0; D],
+                time: 0.0,
+            };
+            let one = system.decay(&place, &system.reflected(&u, axis));
+            let other = system.reflected(&system.decay(&place, &u), axis);
+            let wall = Wall {
+                axis,
+                end: 0,
+                position: -1.0,
+            };
+            let image = system.reflected(&u, axis);
+            let seen = system.behind(&medium, &image, &wall);
+            assert_eq!(one == other, seen == image, "{name} across {axis}");
         }
     }
     // The speed is reached along some direction: powers of A(n) on a vector find the fastest wave.
@@ -73,12 +93,12 @@ where
     let mut grown = 0.0;
     for _ in 0..200 {
         // A² has the eigenvalues speed², of either sign of A.
-        let image = system.flux(&Nothing, &n, &system.flux(&Nothing, &n, &u));
+        let image = system.flux(&medium, &n, &system.flux(&medium, &n, &u));
         let size = dot(&image, &image).sqrt();
         grown = (size / dot(&u, &u).sqrt()).sqrt();
         u = image.map(|f| f / size);
     }
-    let speed = system.speed(&Nothing);
+    let speed = system.speed(&medium);
     assert!(
         (grown / speed - 1.0).abs() < 1e-9,
         "{name}: {grown}, it says {speed}"

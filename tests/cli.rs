@@ -816,7 +816,7 @@ fn exact_times_are_met_and_without_them_no_bit_changes() {
             rows.map(|row| row.split(',').nth(place).unwrap().parse().unwrap())
                 .collect()
         };
-        let expected = |parts: u32| (0..=parts).map(|i| end * f64::from(i) / f64::from(parts));
+        let expected = |parts: u32| (0..=parts).map(move |i| end * f64::from(i) / f64::from(parts));
         for (times, parts) in [
             (column("series.csv", 0), 7),
             (column("snapshots.csv", 1), 3),

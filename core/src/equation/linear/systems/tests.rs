@@ -4,6 +4,7 @@
 use super::*;
 use crate::domain::Wall;
 use crate::equation::linear::{FirstOrderSystem, Nothing, Place, Still};
+use crate::pairs::Fields;
 
 /// Numbers in [-1, 1] from a seed.
 fn numbers<const N: usize>(seed: u32) -> [f64; N] {
@@ -27,13 +28,14 @@ where
         position: [0.0; D],
         time: 0.0,
     });
+    let shown = medium.splat::<f64>();
     for seed in 0..50 {
         let (n, u, v) = (
             numbers::<D>(seed),
             numbers::<P>(seed + 100),
             numbers::<P>(seed + 200),
         );
-        let flux = |n: &[f64; D], u: &[f64; P]| system.flux(&medium, n, u);
+        let flux = |n: &[f64; D], u: &[f64; P]| system.flux(&shown, n, u);
         let weighed = |u: &[f64; P]| system.symmetrised(&medium, u);
         let size: f64 = flux(&n, &u).iter().map(|f| f.abs()).sum::<f64>() + 1.0;
 
@@ -93,7 +95,7 @@ where
     let mut grown = 0.0;
     for _ in 0..200 {
         // A² has the eigenvalues speed², of either sign of A.
-        let image = system.flux(&medium, &n, &system.flux(&medium, &n, &u));
+        let image = system.flux(&shown, &n, &system.flux(&shown, &n, &u));
         let size = dot(&image, &image).sqrt();
         grown = (size / dot(&u, &u).sqrt()).sqrt();
         u = image.map(|f| f / size);

@@ -1,6 +1,6 @@
 //! The ideal gas of constant specific heats.
 
-use super::EquationOfState;
+use super::{EquationOfState, growth};
 use crate::scalar::Scalar;
 
 /// `p = (γ-1) ρ e`, `c² = γ (γ-1) e`, γ > 1.
@@ -31,5 +31,11 @@ impl<S: Scalar> EquationOfState<S> for IdealGas<S> {
     #[inline]
     fn sound_speed(&self, _: S, energy: S) -> S {
         (self.sound * energy.greater(S::ZERO)).sqrt()
+    }
+
+    /// `e (ρ'/ρ)^(γ-1)`.
+    #[inline]
+    fn compressed(&self, densities: [S; 2], energy: S) -> S {
+        energy + energy * growth(densities, self.gamma_minus_one)
     }
 }

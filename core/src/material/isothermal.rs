@@ -1,6 +1,6 @@
 //! A gas held at one temperature.
 
-use super::EquationOfState;
+use super::{EquationOfState, logarithm};
 use crate::scalar::Scalar;
 
 /// `p = c² ρ` with a constant sound speed c > 0; the internal energy plays no part.
@@ -29,6 +29,12 @@ impl<S: Scalar> EquationOfState<S> for Isothermal<S> {
     #[inline]
     fn sound_speed(&self, _: S, _: S) -> S {
         self.sound_speed
+    }
+
+    /// `e + c² ln(ρ'/ρ)`.
+    #[inline]
+    fn compressed(&self, densities: [S; 2], energy: S) -> S {
+        energy + self.squared * logarithm(densities)
     }
 
     fn feels_energy(&self) -> bool {

@@ -35,6 +35,15 @@ impl<S: Scalar> EquationOfState<S> for Named<S> {
         }
     }
 
+    fn compressed(&self, densities: [S; 2], energy: S) -> S {
+        match self {
+            Self::IdealGas(law) => law.compressed(densities, energy),
+            Self::StiffenedGas(law) => law.compressed(densities, energy),
+            Self::Isothermal(law) => law.compressed(densities, energy),
+            Self::Tait(law) => law.compressed(densities, energy),
+        }
+    }
+
     fn feels_energy(&self) -> bool {
         matches!(self, Self::IdealGas(_) | Self::StiffenedGas(_))
     }

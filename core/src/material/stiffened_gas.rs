@@ -1,6 +1,6 @@
 //! The stiffened gas: a liquid or solid under strong pressure.
 
-use super::EquationOfState;
+use super::{EquationOfState, growth};
 use crate::scalar::Scalar;
 
 /// `p = (γ-1) ρ e - γ p∞`, `c² = γ (p + p∞)/ρ`; γ > 1, p∞ >= 0 (Harlow & Amsden, LA-4700,
@@ -34,5 +34,13 @@ impl<S: Scalar> EquationOfState<S> for StiffenedGas<S> {
     fn sound_speed(&self, density: S, energy: S) -> S {
         let stiff = self.pressure(density, energy) + self.stiffness;
         (self.gamma * (stiff.greater(S::ZERO) / density)).sqrt()
+    }
+
+    /// `p∞/ρ' + (e - p∞/ρ) (ρ'/ρ)^(γ-1)`.
+    #[inline]
+    fn compressed(&self, [before, after]: [S; 2], energy: S) -> S {
+        let cold = self.stiffness / before;
+        let growth = growth([before, after], self.gamma_minus_one);
+        energy + (energy - cold) * growth + (self.stiffness / after - cold)
     }
 }

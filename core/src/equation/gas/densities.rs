@@ -28,7 +28,8 @@ where
     P: Physics<S, D>,
 {
     /// Sorts the cloud and settles ρ, ε and Ω of every particle; leaves them in
-    /// `work.densities`, in sorted order, and in `gas`.
+    /// `work.densities`, in sorted order. The densities in `gas` are still those that the step came
+    /// from.
     pub(super) fn densities(
         &self,
         engine: &mut impl Engine<S, D>,
@@ -86,7 +87,7 @@ where
         }
     }
 
-    /// Takes ρ, ε and neighbour counts over into `gas`. `false` where a particle outgrew the
+    /// Takes ε and neighbour counts over into `gas`. `false` where a particle outgrew the
     /// neighbours at hand; its ε is then the next guess.
     fn accept<'s>(
         &self,
@@ -99,7 +100,6 @@ where
         for ((node, partners), &id) in settled.zip(cells.order()) {
             let Some(row) = gas.row(id) else { continue };
             *row.epsilon = node.epsilon;
-            *row.density = self.density(row.mass, node.density);
             *row.neighbours = partners - S::ONE;
             if node.epsilon > node.limit {
                 complete = false;

@@ -65,6 +65,7 @@ where
         }
         gas.force.fill([S::ZERO; D]);
         gas.power.fill(S::ZERO);
+        gas.heat.fill(S::ZERO);
         gas.power_slope.fill(S::ZERO);
         gas.divergence.fill(S::ZERO);
         gas.approach.fill(S::ZERO);
@@ -79,6 +80,10 @@ where
     /// The signal speed of a particle is the largest of that of its viscosity
     /// ([`Viscosity::signal`]), to which `8 (ν + χ)/ε` of the physical diffusivities is added,
     /// and of `√(ε |a|)`, `|a|` the largest component of its acceleration.
+    ///
+    /// A step is rounded down to four binary digits. Sound of small amplitude then goes by steps of
+    /// one length, and keeps its energy as the leap-frog does; steps that follow it from moment to
+    /// moment would feed it.
     pub fn time_step(&self, gas: &Gas<'_, S, D>, longest: S) -> Result<S, Error> {
         check_courant(self.courant)?;
         let mut smallest = longest;
@@ -96,7 +101,10 @@ where
                 smallest = smallest.lesser(step);
             }
         }
-        Ok(smallest)
+        Ok(match smallest < longest {
+            true => coarse(smallest),
+            false => longest,
+        })
     }
 
     /// The measure μ of a particle of that mass.
@@ -156,6 +164,26 @@ where
         let law = self.materials.get(usize::from(row.material));
         row.problem(id, law.is_some_and(E::feels_energy))
     }
+}
+
+/// A finite step > 0 rounded down to four binary digits; itself where the scalar has no more.
+fn coarse<S: Scalar>(step: S) -> S {
+    let mut first = S::ONE;
+    while first > step {
+        first = first.half();
+    }
+    while first <= step.half() {
+        first += first;
+    }
+    let digit = first.half().half().half();
+    if !(digit > S::ZERO) {
+        return step;
+    }
+    let mut result = first;
+    while result <= step - digit {
+        result += digit;
+    }
+    result
 }
 
 /// The error of the particle with the lowest id: the same one whatever the order of search.

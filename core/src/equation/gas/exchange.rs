@@ -41,7 +41,7 @@ record! {
         pub linear: N,
         /// Factor of Π, in [0, 1].
         pub factor: N,
-        /// Velocity that does work; only in [`Work`].
+        /// Velocity at the end of the step; only in [`Work`] and [`Flow`].
         pub velocity_now: [N; D],
         /// Acceleration; only in [`Work`].
         pub acceleration: [N; D],
@@ -247,7 +247,8 @@ law_of_energy!(Work, |of, k, l, r, to_k, to_l| {
 });
 
 law_of_energy!(Flow, |of, k, l, r, to_k, to_l| {
-    let (along_k, along_l) = (N::dot(&k.velocity, r), N::dot(&l.velocity, r));
+    let along = |of: &NodeOver<N, S, Options<S, D>, D>| N::dot(&of.terms.velocity_now, r);
+    let (along_k, along_l) = (along(k), along(l));
     let flow = (of.pressure_k * along_l + of.pressure_l * along_k)
         + N::literal(0.5) * (of.viscous * (along_k + along_l));
     to_k.power += of.heat - flow;

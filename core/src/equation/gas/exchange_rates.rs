@@ -80,19 +80,22 @@ impl<S: Scalar, const D: usize> Physics<S, D> for Options<S, D> {
         nodes: &mut [NodeOf<S, Self, D>],
         rates: &mut RatesOf<S, Self, D>,
     ) -> Result<(), Error> {
+        if solver.physics.energy == EnergyForm::LeapFrog {
+            return Ok(());
+        }
+        for (node, &id) in nodes.iter_mut().zip(cloud.cells.order()) {
+            let Some(row) = cloud.gas.row(id) else {
+                continue;
+            };
+            let shown = &mut node.terms;
+            shown.velocity_now = *row.velocity;
+            for (component, &force) in shown.acceleration.iter_mut().zip(row.force.iter()) {
+                *component = force / row.mass;
+            }
+        }
         match solver.physics.energy {
             EnergyForm::LeapFrog => {}
             EnergyForm::Exact => {
-                for (node, &id) in nodes.iter_mut().zip(cloud.cells.order()) {
-                    let Some(row) = cloud.gas.row(id) else {
-                        continue;
-                    };
-                    let shown = &mut node.terms;
-                    shown.velocity_now = *row.velocity;
-                    for (component, &force) in shown.acceleration.iter_mut().zip(row.force.iter()) {
-                        *component = force / row.mass;
-                    }
-                }
                 let law = Work(solver.motion());
                 cloud.engine.sweep(&law, &cloud.cells, nodes, rates)?;
                 solver.close_work(cloud, rates);
@@ -196,8 +199,8 @@ where
             if self.domain.beyond(row.position).is_some() {
                 continue;
             }
-            let external = S::dot(&rate.node.velocity, &self.physics.plain.acceleration);
-            row.heat(dt, rate.sums.power + row.mass * external);
+            let external = S::dot(row.velocity, &self.physics.plain.acceleration);
+            row.flow(dt, rate.sums.power + row.mass * external);
             *row.energy -= row.kinetic_energy();
         }
     }

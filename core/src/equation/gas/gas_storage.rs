@@ -59,6 +59,7 @@ struct Arrays<S, const D: usize, const N: usize> {
     density: [S; N],
     force: [[S; D]; N],
     power: [S; N],
+    heat: [S; N],
     power_slope: [S; N],
     viscosity_factor: [S; N],
     divergence: [S; N],
@@ -79,6 +80,7 @@ impl<S: Scalar, const D: usize, const N: usize> Arrays<S, D, N> {
             density: [S::ZERO; N],
             force: [[S::ZERO; D]; N],
             power: [S::ZERO; N],
+            heat: [S::ZERO; N],
             power_slope: [S::ZERO; N],
             viscosity_factor: [S::ZERO; N],
             divergence: [S::ZERO; N],
@@ -100,6 +102,7 @@ impl<S: Scalar, const D: usize, const N: usize> Arrays<S, D, N> {
             density: self.density.get_mut(..n).unwrap_or(&mut []),
             force: self.force.get_mut(..n).unwrap_or(&mut []),
             power: self.power.get_mut(..n).unwrap_or(&mut []),
+            heat: self.heat.get_mut(..n).unwrap_or(&mut []),
             power_slope: self.power_slope.get_mut(..n).unwrap_or(&mut []),
             viscosity_factor: self.viscosity_factor.get_mut(..n).unwrap_or(&mut []),
             divergence: self.divergence.get_mut(..n).unwrap_or(&mut []),
@@ -221,6 +224,7 @@ impl<S: Scalar, X: Fields<S>, const D: usize, const N: usize, const G: usize, co
         put(&mut self.arrays.density, id, density);
         put(&mut self.arrays.force, id, [S::ZERO; D]);
         put(&mut self.arrays.power, id, S::ZERO);
+        put(&mut self.arrays.heat, id, S::ZERO);
         put(&mut self.arrays.power_slope, id, S::ZERO);
         put(&mut self.arrays.viscosity_factor, id, S::ZERO);
         put(&mut self.arrays.divergence, id, S::ZERO);
@@ -247,6 +251,7 @@ impl<S: Scalar, X: Fields<S>, const D: usize, const N: usize, const G: usize, co
         for array in [
             &mut self.arrays.density,
             &mut self.arrays.power,
+            &mut self.arrays.heat,
             &mut self.arrays.power_slope,
             &mut self.arrays.viscosity_factor,
             &mut self.arrays.divergence,

@@ -58,8 +58,8 @@ where
         };
         let sigma = S::from_f64(self.cut_off.normalisation::<D>());
         for ((node, settled), &id) in nodes.iter_mut().zip(densities).zip(cells.order()) {
-            if let Some(row) = gas.row(id) {
-                *node = self.gas_node(&settled.node, &row, sigma, dt);
+            if let Some(mut row) = gas.row(id) {
+                *node = self.gas_node(&settled.node, &mut row, sigma, dt);
             }
         }
         let mut cloud = Sorted {
@@ -101,12 +101,13 @@ where
     fn gas_node(
         &self,
         settled: &DensityNode<S, D>,
-        row: &Row<'_, S, D>,
+        row: &mut Row<'_, S, D>,
         sigma: S,
         dt: S,
     ) -> NodeOf<S, P, D> {
-        let (velocity, energy) = row.predicted(dt, self.physics.energy());
-        let (density, epsilon) = (*row.density, settled.epsilon);
+        let velocity = row.predicted(dt);
+        let (density, epsilon) = (self.density(row.mass, settled.density), settled.epsilon);
+        let energy = self.compress(row, density, dt);
         let (pressure, sound_speed) = self.pressure(row.material, density, energy);
         GasNode {
             mass: row.mass,
@@ -135,15 +136,29 @@ where
         densities: impl Iterator<Item = &'s DensityNode<S, D>>,
     ) {
         for ((node, rate), settled) in nodes.iter_mut().zip(rates).zip(densities) {
-            let weight = S::ONE / (settled.density * settled.omega);
-            let q = self.viscosity.pressure(&Local {
-                density: node.density,
-                sound_speed: node.sound_speed,
-                epsilon: node.epsilon,
-                divergence: -(rate.sums.compression * weight),
-            });
-            node.pressure += q * weight / settled.density;
+            node.pressure += self.viscous_pressure(node, settled, rate.sums.compression);
         }
+    }
+
+    /// The viscosity's pressure of a particle, `q/(Ω ρ²)` as that of (3.10); 0 where it has none.
+    #[inline(always)]
+    fn viscous_pressure(
+        &self,
+        node: &NodeOf<S, P, D>,
+        settled: &DensityNode<S, D>,
+        compression: S,
+    ) -> S {
+        if !self.viscosity.needs_divergence() {
+            return S::ZERO;
+        }
+        let weight = S::ONE / (settled.density * settled.omega);
+        let q = self.viscosity.pressure(&Local {
+            density: node.density,
+            sound_speed: node.sound_speed,
+            epsilon: node.epsilon,
+            divergence: -(compression * weight),
+        });
+        q * weight / settled.density
     }
 
     /// Kicks velocities, and internal energies where they go by leap-frog.
@@ -161,7 +176,11 @@ where
             let Some(mut row) = gas.row(id) else { continue };
             let divergence = -(sums.compression / (settled.density * settled.omega));
             match self.domain.beyond(row.position) {
-                None => self.close_row(&mut row, node, sums, dt),
+                None => {
+                    let viscous = self.viscous_pressure(node, settled, sums.compression);
+                    let heat = node.measure * (viscous * sums.compression) + sums.power;
+                    self.close_row(&mut row, node, sums, heat, dt);
+                }
                 Some(Beyond::Inflow) => row.hold(),
                 Some(Beyond::Outflow(normal)) => {
                     let wave = Wave {
@@ -188,6 +207,7 @@ where
         row: &mut Row<'_, S, D>,
         node: &NodeOf<S, P, D>,
         sums: &GasSums<S, D>,
+        heat: S,
         dt: S,
     ) {
         if self.physics.energy() == EnergyForm::Total {
@@ -195,9 +215,12 @@ where
             *row.energy += row.kinetic_energy();
         }
         row.kick(dt, self.with_external(node.mass, sums.force));
-        if self.physics.energy() == EnergyForm::LeapFrog {
-            let power = node.measure * (node.pressure * sums.compression) + sums.power;
-            row.heat(dt, power);
+        match self.physics.energy() {
+            EnergyForm::LeapFrog => {
+                *row.power = node.measure * (node.pressure * sums.compression) + sums.power;
+                row.warm(dt, heat);
+            }
+            EnergyForm::Exact | EnergyForm::Total => *row.heat = heat,
         }
     }
 }

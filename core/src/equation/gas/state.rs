@@ -62,6 +62,8 @@ pub struct Gas<'a, S, const D: usize> {
     pub force: &'a mut [[S; D]],
     /// `m de/dt`, or the rate of total energy in [`EnergyForm::Total`].
     pub power: &'a mut [S],
+    /// The part of `m de/dt` that compression does not give: of viscosity and conduction.
+    pub heat: &'a mut [S],
     /// What `power` gains in a unit of time while the forces do not change; 0 but in
     /// [`EnergyForm::Exact`].
     pub power_slope: &'a mut [S],
@@ -90,6 +92,7 @@ pub(super) struct Row<'a, S, const D: usize> {
     pub(super) density: &'a mut S,
     pub(super) force: &'a mut [S; D],
     pub(super) power: &'a mut S,
+    pub(super) heat: &'a mut S,
     pub(super) power_slope: &'a mut S,
     pub(super) viscosity_factor: &'a mut S,
     pub(super) divergence: &'a mut S,
@@ -117,6 +120,7 @@ columns! {
         density: scalars, Scalar, One, Unit::MASS.times(Unit::VOLUME.inverse()), State;
         force: vectors, Vector, Directions, Unit::MASS.times(Unit::VELOCITY).times(RATE), State;
         power: scalars, Scalar, One, ENERGY.times(RATE), State;
+        heat: scalars, Scalar, One, ENERGY.times(RATE), State;
         power_slope: scalars, Scalar, One, ENERGY.times(RATE).times(RATE), State;
         viscosity_factor: scalars, Scalar, One, Unit::NONE, State;
         divergence: scalars, Scalar, One, RATE, Carried;
@@ -136,7 +140,7 @@ const ENERGY: Unit = Unit::MASS.times(Unit::VELOCITY).times(Unit::VELOCITY);
 
 impl<S: Scalar, const D: usize> Gas<'_, S, D> {
     /// The digest of the state: position, velocity, energy, mass, ε, density, force, power,
-    /// its slope and the factor of the viscosity, each for all particles in id order.
+    /// heat, slope of the power and the factor of the viscosity, each for all particles in id order.
     pub fn digest(&self) -> Digest {
         Columns::digest(self)
     }
@@ -160,6 +164,7 @@ impl<S: Scalar, const D: usize> Gas<'_, S, D> {
             self.epsilon.len(),
             self.density.len(),
             self.power.len(),
+            self.heat.len(),
             self.power_slope.len(),
             self.viscosity_factor.len(),
             self.material.len(),
@@ -198,6 +203,7 @@ impl<S: Scalar, const D: usize> Gas<'_, S, D> {
             density: self.density.get_mut(id)?,
             force: self.force.get_mut(id)?,
             power: self.power.get_mut(id)?,
+            heat: self.heat.get_mut(id)?,
             power_slope: self.power_slope.get_mut(id)?,
             viscosity_factor: self.viscosity_factor.get_mut(id)?,
             divergence: self.divergence.get_mut(id)?,
@@ -213,18 +219,14 @@ impl<S: Scalar, const D: usize> Row<'_, S, D> {
     /// normal; its energy answers to compression alone.
     #[inline(always)]
     pub(super) fn leave(&mut self, dt: S, normal: [S; D], wave: Wave<S>, form: EnergyForm) {
-        let is_total = form == EnergyForm::Total;
-        if is_total {
-            // Of the rate of total energy the internal part.
-            *self.power -= S::dot(self.velocity, self.force);
-        }
         let push = -(self.mass * (wave.sound_speed * wave.divergence));
         self.kick(dt, normal.map(|component| push * component));
-        self.heat(dt, wave.power);
-        *self.power_slope = S::ZERO;
-        if is_total {
+        *self.power = wave.power;
+        if form == EnergyForm::Total {
             *self.power += S::dot(self.velocity, self.force);
         }
+        *self.heat = S::ZERO;
+        *self.power_slope = S::ZERO;
     }
 
     /// Nothing acts on it: it goes on as it is.
@@ -232,6 +234,7 @@ impl<S: Scalar, const D: usize> Row<'_, S, D> {
     pub(super) fn hold(&mut self) {
         *self.force = [S::ZERO; D];
         *self.power = S::ZERO;
+        *self.heat = S::ZERO;
         *self.power_slope = S::ZERO;
     }
 
@@ -270,8 +273,8 @@ pub struct Before<S, const D: usize> {
     position: [S; D],
     velocity: [S; D],
     force: [S; D],
-    /// Energy, ε, density, power, its slope, factor, divergence, approach, signal, neighbours.
-    scalars: [S; 10],
+    /// Energy, ε, density, power, heat, slope, factor, divergence, approach, signal, neighbours.
+    scalars: [S; 11],
 }
 
 impl<S: Scalar, const D: usize> Gas<'_, S, D> {
@@ -286,6 +289,7 @@ impl<S: Scalar, const D: usize> Gas<'_, S, D> {
                 *self.epsilon.get(id)?,
                 *self.density.get(id)?,
                 *self.power.get(id)?,
+                *self.heat.get(id)?,
                 *self.power_slope.get(id)?,
                 *self.viscosity_factor.get(id)?,
                 *self.divergence.get(id)?,
@@ -313,6 +317,7 @@ impl<S: Scalar, const D: usize> Gas<'_, S, D> {
             &mut *self.epsilon,
             &mut *self.density,
             &mut *self.power,
+            &mut *self.heat,
             &mut *self.power_slope,
             &mut *self.viscosity_factor,
             &mut *self.divergence,

@@ -177,6 +177,8 @@ pub struct Found<const D: usize> {
     pub force: Vector<D>,
     /// `m de/dt`.
     pub power: f64,
+    /// What viscosity gives of it.
+    pub heat: f64,
     /// The sums of the absolute values of the terms of the last three: what rounding errors
     /// are proportional to.
     pub divergence_terms: f64,
@@ -217,6 +219,8 @@ struct Node {
     sound_speed: f64,
     /// `(p + q)/(Ω ν²)`.
     pressure: f64,
+    /// `q/(Ω ν²)`.
+    viscous: f64,
 }
 
 /// A gas and its laws.
@@ -450,6 +454,7 @@ impl<const D: usize> Problem<D> {
             force: [0.0; D],
             force_terms: 0.0,
             power: 0.0,
+            heat: 0.0,
             power_terms: 0.0,
             bend: self.bend(seen, epsilon, bodies),
             partners: seen
@@ -463,12 +468,13 @@ impl<const D: usize> Problem<D> {
     /// `p = (γ-1) ρ e`, `c² = γ (γ-1) e`, and the paper's `q` beside `p`.
     fn node(&self, found: &Found<D>, body: &Body<D>) -> Node {
         let (epsilon, density, divergence) = (found.epsilon, found.density, found.divergence);
-        let mut pressure = (self.gamma - 1.0) * density * body.energy;
+        let pressure = (self.gamma - 1.0) * density * body.energy;
+        let mut viscous = 0.0;
         let sound_speed = (self.gamma * (self.gamma - 1.0) * body.energy).sqrt();
         if self.viscosity == Viscosity::VonNeumann && divergence < 0.0 {
             let linear = -self.alpha * epsilon * sound_speed * divergence;
             let quadratic = self.beta * epsilon * epsilon * divergence * divergence;
-            pressure += density * (linear + quadratic);
+            viscous = density * (linear + quadratic);
         }
         Node {
             mass: body.mass,
@@ -476,7 +482,8 @@ impl<const D: usize> Problem<D> {
             epsilon,
             density,
             sound_speed,
-            pressure: pressure / (found.omega * found.sum * found.sum),
+            pressure: (pressure + viscous) / (found.omega * found.sum * found.sum),
+            viscous: viscous / (found.omega * found.sum * found.sum),
         }
     }
 
@@ -523,6 +530,8 @@ impl<const D: usize> Problem<D> {
             }
             found.power += measures * node.pressure * dot(&s.u, &at_k);
             found.power += 0.5 * masses * pi * dot(&s.u, &mean);
+            found.heat += measures * node.viscous * dot(&s.u, &at_k);
+            found.heat += 0.5 * masses * pi * dot(&s.u, &mean);
 
             let pressures = node.pressure * length(&at_k) + partner.pressure * length(&at_l);
             let friction = masses * pi.abs() * length(&mean);
@@ -543,7 +552,7 @@ impl<const D: usize> Problem<D> {
         let heating: Vec<f64> = found
             .iter()
             .zip(bodies.iter())
-            .map(|(f, b)| f.power / b.mass)
+            .map(|(f, b)| f.heat / b.mass)
             .collect();
         let (mut wrapped, mut bounced) = (Vec::new(), Vec::new());
         for (k, (body, a)) in bodies.iter_mut().zip(&mut accelerations).enumerate() {
@@ -574,20 +583,26 @@ impl<const D: usize> Problem<D> {
                 body.position[i] = x;
             }
         }
-        let predicted: Vec<Body<D>> = (bodies.iter().zip(&accelerations).zip(&heating))
-            .map(|((body, a), heating)| Body {
+        let mut predicted: Vec<Body<D>> = (bodies.iter().zip(&accelerations))
+            .map(|(body, a)| Body {
                 velocity: std::array::from_fn(|i| body.velocity[i] + dt * a[i]),
-                energy: body.energy + dt * heating,
                 ..*body
             })
             .collect();
+        // Densities do not depend on energies: heat, compress, heat.
+        let densities = self.solve(&predicted);
+        for (k, body) in bodies.iter_mut().enumerate() {
+            let ratio = densities[k].density / found[k].density;
+            body.energy = (body.energy + 0.5 * dt * heating[k]) * ratio.powf(self.gamma - 1.0);
+            predicted[k].energy = (body.energy + 0.5 * dt * heating[k]).max(0.0);
+        }
         let found = self.solve(&predicted);
         for (k, body) in bodies.iter_mut().enumerate() {
             for i in 0..D {
                 let end = found[k].force[i] / body.mass;
                 body.velocity[i] += 0.5 * dt * (accelerations[k][i] + end);
             }
-            body.energy += 0.5 * dt * (heating[k] + found[k].power / body.mass);
+            body.energy += 0.5 * dt * found[k].heat / body.mass;
         }
         Step {
             found,

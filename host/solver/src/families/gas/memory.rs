@@ -24,6 +24,7 @@ pub struct GasArrays<S: Scalar, X: Fields<S>, const D: usize> {
     pub(super) density: Vec<S>,
     force: Vec<[S; D]>,
     power: Vec<S>,
+    heat: Vec<S>,
     power_slope: Vec<S>,
     pub(super) viscosity_factor: Vec<S>,
     pub(super) divergence: Vec<S>,
@@ -56,7 +57,7 @@ impl<S: Scalar, X: Fields<S>, const D: usize> GasArrays<S, X, D> {
         let gradients = size_of::<GradientNode<S, D>>()
             + size_of::<Settled<GradientNode<S, D>, GradientSums<S, D>>>();
         size_of::<[S; D]>() * 3
-            + size_of::<S>() * 10
+            + size_of::<S>() * 11
             + size_of::<Site<S, D>>()
             + size_of::<u32>() * (6 + 16)
             + size_of::<DensityNode<S, D>>()
@@ -84,6 +85,7 @@ impl<S: Scalar, X: Fields<S>, const D: usize> GasArrays<S, X, D> {
             density: Vec::new(),
             force: Vec::new(),
             power: Vec::new(),
+            heat: Vec::new(),
             power_slope: Vec::new(),
             viscosity_factor: Vec::new(),
             divergence: Vec::new(),
@@ -125,9 +127,10 @@ impl<S: Scalar, X: Fields<S>, const D: usize> GasArrays<S, X, D> {
     }
 
     /// What the solver makes of a particle, beside its density and force.
-    fn made(&mut self) -> [&mut Vec<S>; 7] {
+    fn made(&mut self) -> [&mut Vec<S>; 8] {
         [
             &mut self.power,
+            &mut self.heat,
             &mut self.power_slope,
             &mut self.viscosity_factor,
             &mut self.divergence,
@@ -167,6 +170,7 @@ impl<S: Scalar, X: Fields<S>, const D: usize> GasArrays<S, X, D> {
             density: &mut self.density,
             force: &mut self.force,
             power: &mut self.power,
+            heat: &mut self.heat,
             power_slope: &mut self.power_slope,
             viscosity_factor: &mut self.viscosity_factor,
             divergence: &mut self.divergence,

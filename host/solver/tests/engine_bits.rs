@@ -482,6 +482,7 @@ fn records_survive_the_way_through_lanes() {
         gradient: x + 0.2,
         scale: x + 0.3,
         sound_speed: x + 0.4,
+        stiffness: x + 0.45,
         density: x + 0.5,
         epsilon: x + 0.6,
         velocity: [x + 0.7, x + 0.8],

@@ -81,6 +81,14 @@ where
     /// ([`Viscosity::signal`]), to which `8 (ν + χ)/ε` of the physical diffusivities is added,
     /// and of `√(ε |a|)`, `|a|` the largest component of its acceleration.
     ///
+    /// The sound speed in it is `max(c_k, max_l c_l ν_k/ν_l √(m_l/m_k)/√2)`. A particle that moves
+    /// against its partners compresses them: with `ν_l` the sum of measures of partner l,
+    /// `∂ν_l/∂x_k = μ_k ∇ζ_kl(ε_l)`, the diagonal of the stiffness matrix is
+    /// `m_k ω_k² = Σ_l m_l c_l² (μ_k/ν_l)² |∇ζ_kl(ε_l)|²`, beside the `m_k c_k² (μ_k/ν_k)² |∇ζ_kl(ε_k)|²`
+    /// of a gas of its own kind. A light particle beside stiff, heavy ones is bounded by them. The
+    /// half is what the courant number allows beyond (see `core/tests/rest.rs`): in a gas of one
+    /// kind the bound is that of its own sound.
+    ///
     /// A step is rounded down to four binary digits. Sound of small amplitude then goes by steps of
     /// one length, and keeps its energy as the leap-frog does; steps that follow it from moment to
     /// moment would feed it.

@@ -141,9 +141,12 @@ where
         to_k.power += heating + of.heat;
         to_l.power += heating - of.heat;
         // A pair out of reach has no say in the time step; its gradient is exactly 0.
-        let closing = -of.speed * g.below(N::zero());
+        let near = g.below(N::zero());
+        let closing = -of.speed * near;
         to_k.approach = to_k.approach.max(closing);
         to_l.approach = to_l.approach.max(closing);
+        to_k.stiffest = to_k.stiffest.max(l.stiffness * near);
+        to_l.stiffest = to_l.stiffest.max(k.stiffness * near);
     }
 
     fn reflected(&self, node: &Self::Node, wall: &Wall<S>) -> Self::Node {

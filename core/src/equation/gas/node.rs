@@ -17,6 +17,9 @@ record! {
         pub scale: N,
         /// Sound speed `c`.
         pub sound_speed: N,
+        /// `c √m/ν`: how stiff it is to its partners, see
+        /// [`GasDynamics::time_step`](super::GasDynamics::time_step).
+        pub stiffness: N,
         /// Density ρ.
         pub density: N,
         /// ε.
@@ -43,6 +46,8 @@ record! {
         pub power_slope: N,
         /// The fastest approach of a partner, along the line of centres; at least 0.
         pub approach: N,
+        /// The largest stiffness of those within the support.
+        pub stiffest: N,
         /// `m_k du_k/dt`.
         pub force: [N; D],
     }

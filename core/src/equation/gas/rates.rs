@@ -19,6 +19,9 @@ use super::storage::{RatesOf, Workspace};
 use super::terms::NodeOf;
 use super::viscosity::{Local, Viscosity};
 
+/// `√(1/2)`: a partner of the same kind is felt as softer than the particle itself.
+const FELT: f64 = core::f64::consts::FRAC_1_SQRT_2;
+
 impl<S, C, V, E, P, const D: usize> GasDynamics<'_, S, C, V, E, P, D>
 where
     S: Scalar,
@@ -116,6 +119,7 @@ where
             gradient: sigma / epsilon.powi(D + 2),
             scale: self.cut_off.scale(S::ONE / epsilon),
             sound_speed,
+            stiffness: sound_speed * (row.mass.sqrt() / settled.density),
             density,
             epsilon,
             velocity,
@@ -196,7 +200,9 @@ where
                 *row.viscosity_factor = S::ONE;
             }
             *row.approach = sums.approach;
-            *row.signal = self.signal(&row, node.sound_speed, sums.approach);
+            let felt = sums.stiffest * (settled.density / row.mass.sqrt());
+            let speed = node.sound_speed.greater(felt * S::from_f64(FELT));
+            *row.signal = self.signal(&row, speed, sums.approach);
         }
     }
 

@@ -89,7 +89,7 @@ where
     /// half is what the courant number allows beyond (see `core/tests/rest.rs`): in a gas of one
     /// kind the bound is that of its own sound.
     ///
-    /// A step is rounded down to four binary digits. Sound of small amplitude then goes by steps of
+    /// A step is rounded down to five binary digits. Sound of small amplitude then goes by steps of
     /// one length, and keeps its energy as the leap-frog does; steps that follow it from moment to
     /// moment would feed it.
     pub fn time_step(&self, gas: &Gas<'_, S, D>, longest: S) -> Result<S, Error> {
@@ -174,7 +174,7 @@ where
     }
 }
 
-/// A finite step > 0 rounded down to four binary digits; itself where the scalar has no more.
+/// A finite step > 0 rounded down to five binary digits; itself where the scalar has no more.
 fn coarse<S: Scalar>(step: S) -> S {
     let mut first = S::ONE;
     while first > step {
@@ -183,7 +183,7 @@ fn coarse<S: Scalar>(step: S) -> S {
     while first <= step.half() {
         first += first;
     }
-    let digit = first.half().half().half();
+    let digit = first.half().half().half().half();
     if !(digit > S::ZERO) {
         return step;
     }

@@ -122,11 +122,10 @@ impl Plan {
             ),
         };
         let time = units.length / units.velocity;
-        let layered = layers::check(scenario, scenario.cut_off.width.epsilon(spacing))?;
         let middle = std::array::from_fn(|i| scenario.domain.extent.middle(i));
         let solver_place = |x: &[f64; 3]| std::array::from_fn(|i| (x[i] - middle[i]) / spacing);
         let cell = spacing.powi(dimension as i32);
-        Ok(Self {
+        let mut plan = Self {
             dimension,
             units,
             middle,
@@ -154,11 +153,10 @@ impl Plan {
             counts_always: scenario.output.snapshots.is_some(),
             growth_margin: scenario.time.growth_margin,
             budget: Budget::of(scenario),
-            doubts: doubts(scenario, spacing, &quadrature.weights)
-                .into_iter()
-                .chain(layered)
-                .collect(),
-        })
+            doubts: doubts(scenario, spacing, &quadrature.weights),
+        };
+        plan.doubts.extend(layers::check(scenario, plan.width())?);
+        Ok(plan)
     }
 
     /// ε in the scenario's unit of length.

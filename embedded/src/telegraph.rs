@@ -118,5 +118,5 @@ pub const LINE: Line<'static, 2> = Line {
     epsilon: 1.9798989873223327,
     courant: 0.5,
     step: None,
-    end: 64.0,
+    end: 57.6,
 };

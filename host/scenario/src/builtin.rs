@@ -46,30 +46,30 @@ built_in! {
     "sod3d" 90.0
     "noh3d" 20.0
     "sedov3d" 100.0
-    "acoustics1d" 0.5
-    "acoustics2d" 0.5
-    "acoustics3d" 0.5
-    "telegraph" 0.5
-    "transport-rotation" 0.5
+    "acoustics1d" 0.3
+    "acoustics2d" 2.0
+    "acoustics3d" 1.0
+    "telegraph" 0.2
+    "transport-rotation" 3.0
     "transport-shear" 0.5
     "transport-compression" 0.5
-    "transport-mesh" 0.5
-    "shallow-water" 0.5
-    "maxwell-te" 0.5
-    "elastic-waves" 0.5
-    "linearised-gas" 0.5
-    "heat1d" 0.5
-    "heat2d" 0.5
-    "heat3d" 0.5
-    "rotating-gaussian" 0.5
-    "shear-gaussian" 0.5
-    "variable-diffusivity" 0.5
-    "layered-wall" 0.5
-    "robin-wall" 0.5
-    "decay-chain" 0.5
-    "advection-dominated" 0.5
-    "gray-scott" 0.5
-    "wall-day" 0.5
+    "transport-mesh" 6.0
+    "shallow-water" 1.0
+    "maxwell-te" 1.0
+    "elastic-waves" 2.0
+    "linearised-gas" 1.0
+    "heat1d" 0.1
+    "heat2d" 0.7
+    "heat3d" 30.0
+    "rotating-gaussian" 1.0
+    "shear-gaussian" 0.7
+    "variable-diffusivity" 0.1
+    "layered-wall" 0.7
+    "robin-wall" 0.3
+    "decay-chain" 0.1
+    "advection-dominated" 0.1
+    "gray-scott" 60.0
+    "wall-day" 0.2
 }
 
 /// A file that a built-in scenario names: `motes show NAME` prints it.

@@ -164,6 +164,7 @@ pub fn plan(case: Case) -> gas::Plan {
         end: 1000.0,
         courant: 0.3,
         abscissa: Abscissa::Along(0),
+        doubts: Vec::new(),
     }
 }
 

@@ -162,11 +162,66 @@ impl<'a> Table<'a> {
         TableFault::new(message, help, self.first_line())
     }
 
+    /// A fault of a whole row.
+    pub fn fault_at(&self, line: Line, message: String, help: impl Into<String>) -> TableFault {
+        TableFault::new(message, help, line_at(self.text, line.byte as usize))
+    }
+
     /// A column, if it is there.
-    pub fn optional(&self, name: &str) -> Option<Column> {
-        let index = self.heading.iter().position(|column| column == name)?;
+    ///
+    /// # Errors
+    /// It is there twice.
+    pub fn optional(&self, name: &str) -> Result<Option<Column>, TableFault> {
+        let mut places = (0..).zip(self.heading.iter());
+        let mut next = || places.find(|(_, column)| *column == name);
+        let Some((index, _)) = next() else {
+            return Ok(None);
+        };
+        if let Some((second, _)) = next() {
+            let twice = [index, second].map(|place| (place, name));
+            return Err(self.ambiguous(&twice));
+        }
         let name = name.to_owned();
-        Some(Column { name, index })
+        Ok(Some(Column { name, index }))
+    }
+
+    /// That no other heading reads as one of these names but for its letters' case.
+    ///
+    /// # Errors
+    /// The first that does.
+    pub fn spelled(&self, names: &[&str]) -> Result<(), TableFault> {
+        for (place, heading) in (1..).zip(self.heading.iter()) {
+            let alike = |name: &&&str| name.eq_ignore_ascii_case(heading);
+            let Some(name) = names
+                .iter()
+                .find(alike)
+                .filter(|_| !names.contains(&heading))
+            else {
+                continue;
+            };
+            let message =
+                format!("column {place} is called `{heading}`, which is not read as `{name}`");
+            let help = format!("write `{name}`, or take the column out: case counts in headings");
+            return Err(TableFault::new(message, help, self.first_line()));
+        }
+        Ok(())
+    }
+
+    /// The fault of two columns, by their places from 0, that say the same thing.
+    fn ambiguous(&self, columns: &[(usize, &str); 2]) -> TableFault {
+        let [(first, a), (second, b)] = columns;
+        let (first, second) = (first + 1, second + 1);
+        let message = match a == b {
+            true => format!("the heading has `{a}` twice, as columns {first} and {second}"),
+            false => {
+                format!("columns {first} and {second}, `{a}` and `{b}`, are the same quantity")
+            }
+        };
+        TableFault::new(
+            message,
+            "keep one of the two columns, or give the other another name",
+            self.first_line(),
+        )
     }
 
     /// A column; `need` says which ones a file has.
@@ -175,22 +230,27 @@ impl<'a> Table<'a> {
     /// There is no such column.
     pub fn required(&self, name: &str, need: &str) -> Result<Column, TableFault> {
         let missing = || self.fault(format!("there is no column `{}`", shortened(name)), need);
-        self.optional(name).ok_or_else(missing)
+        self.optional(name)?.ok_or_else(missing)
     }
 
     /// The columns of a vector: `name_x` and so on; in one dimension `name` will do.
     ///
     /// # Errors
-    /// One of them is not there.
+    /// One of them is not there, or there twice.
     pub fn vector(
         &self,
         name: &str,
         dimension: usize,
         need: &str,
     ) -> Result<Vec<Column>, TableFault> {
-        let plain = self.optional(name).filter(|_| dimension == 1);
-        if let Some(column) = plain {
-            return Ok(vec![column]);
+        if dimension == 1
+            && let Some(column) = self.optional(name)?
+        {
+            let along = format!("{name}_x");
+            return match self.optional(&along)? {
+                Some(other) => Err(self.ambiguous(&[(column.index, name), (other.index, &along)])),
+                None => Ok(vec![column]),
+            };
         }
         let axes = ["x", "y", "z"].into_iter().take(dimension);
         axes.map(|axis| self.required(&format!("{name}_{axis}"), need))
@@ -263,6 +323,14 @@ fn line_at(text: &str, byte: usize) -> Range<usize> {
     start..start + rest.find(['\r', '\n']).unwrap_or(rest.len())
 }
 
+/// Where a row stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Line {
+    /// From 1.
+    pub number: u64,
+    byte: u64,
+}
+
 /// A record and the text it comes from.
 pub struct Row<'a> {
     text: &'a str,
@@ -278,6 +346,14 @@ impl Row<'_> {
     /// The line of the text, from 1.
     pub fn line(&self) -> u64 {
         self.record.position().map_or(0, |position| position.line())
+    }
+
+    /// Where it stands.
+    pub fn place(&self) -> Line {
+        Line {
+            number: self.line(),
+            byte: self.record.position().map_or(0, |position| position.byte()),
+        }
     }
 
     /// The bytes of a field; the whole line if it has quotes.

@@ -122,6 +122,7 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
         &[
             key("file", "file = \"wall-day.csv\""),
             key("column", "column = \"temperature\""),
+            key("beyond", "beyond = \"hold\""),
         ],
     ),
     ("motion", FIELD),

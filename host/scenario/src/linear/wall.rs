@@ -2,7 +2,7 @@
 
 use super::Series;
 use super::series::series;
-use crate::bound::NOT_NEGATIVE;
+use crate::bound::{NOT_NEGATIVE, POSITIVE};
 use crate::entry::{ANY, Entry};
 use crate::error::Fault;
 use crate::files::Files;
@@ -84,10 +84,11 @@ pub(super) fn walls(
         return Ok(walls);
     };
     let mut told = Vec::new();
+    let end_of_run = end_of_run(root);
     for (number, entry) in entry.list("one or more [[wall]]")?.iter().enumerate() {
         let section = entry.section()?;
         let (axis, end) = place(&section, domain)?;
-        let condition = condition(&section, files)?;
+        let condition = condition(&section, files, end_of_run)?;
         for i in chosen(&section, species)? {
             let same = told.iter().find(|(_, place)| *place == (axis, end, i));
             if let Some((first, _)) = same {
@@ -101,6 +102,12 @@ pub(super) fn walls(
         }
     }
     Ok(walls)
+}
+
+/// The duration, where it is one: if not, `[time]` says what is wrong with it.
+fn end_of_run(root: &Section<'_>) -> Option<f64> {
+    let time = root.optional("time")?.section().ok()?;
+    time.optional("end")?.number(POSITIVE).ok()
 }
 
 /// Which wall: its direction and its end, 0 for the lower.
@@ -134,26 +141,35 @@ fn chosen(section: &Section<'_>, species: &[String]) -> Result<Vec<usize>, Fault
     })
 }
 
-fn condition(section: &Section<'_>, files: Files<'_>) -> Result<WallCondition, Fault> {
+fn condition(
+    section: &Section<'_>,
+    files: Files<'_>,
+    end: Option<f64>,
+) -> Result<WallCondition, Fault> {
     let kind = section.required("kind")?;
     let (name, keys) = kind.choice(&KINDS.map(|kind| (kind.0, kind)))?;
     section.only(name, &["axis", "end", "species", "kind"], keys)?;
     Ok(match name {
         "no-flux" => WallCondition::NoFlux,
-        "value" => WallCondition::Value(drive(section, "value", files)?),
-        "flux" => WallCondition::Flux(drive(section, "flux", files)?),
+        "value" => WallCondition::Value(drive(section, "value", files, end)?),
+        "flux" => WallCondition::Flux(drive(section, "flux", files, end)?),
         _ => WallCondition::Exchange {
             rate: section.number("rate", NOT_NEGATIVE)?,
-            outside: drive(section, "outside", files)?,
+            outside: drive(section, "outside", files, end)?,
         },
     })
 }
 
 /// A number under its key, or a series in its place.
-fn drive(section: &Section<'_>, key: &'static str, files: Files<'_>) -> Result<Drive, Fault> {
+fn drive(
+    section: &Section<'_>,
+    key: &'static str,
+    files: Files<'_>,
+    end: Option<f64>,
+) -> Result<Drive, Fault> {
     match (section.optional(key), section.optional("series")) {
         (Some(entry), None) => Ok(Drive::Constant(entry.number(ANY)?)),
-        (None, Some(entry)) => Ok(Drive::Series(series(&entry.section()?, files)?)),
+        (None, Some(entry)) => Ok(Drive::Series(series(&entry.section()?, files, end)?)),
         (Some(_), Some(entry)) => Err(both(&entry, key)),
         (None, None) => Err(section.missing(key)),
     }

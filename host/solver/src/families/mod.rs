@@ -9,6 +9,7 @@
 //! The latter two solve for strengths on a cloud that follows a field: [`strengths`] holds what
 //! they share. [`start`] is the one table of everything that can be run.
 
+mod apart;
 pub mod diffusion;
 mod error;
 pub mod gas;

@@ -32,21 +32,33 @@ pub enum RunError {
     },
     /// A number of the plan does not fit the scalar.
     #[error("{what} is {value:.3e} in solver units, which `{scalar}` cannot hold to 1 %")]
-    #[diagnostic(help(
-        "{}",
-        if value.abs() > 1.0 {
-            "use a format with more integer bits, or fewer particles: lengths are counted in \
-             particle spacings"
-        } else {
-            "use a format with more fractional bits: masses, velocities and energies are \
-             counted in those of the first state"
-        }
-    ))]
+    #[diagnostic(help("{}", wider(*value, scalar)))]
     Format {
         /// Which number.
         what: &'static str,
         /// How large it is.
         value: f64,
+        /// The scalar.
+        scalar: String,
+    },
+    /// Two particles in one place.
+    #[error(
+        "particles {first} and {second} lie in one place, {place}, in `{scalar}`{}",
+        if *count > 1 { format!("; so do {count} in all") } else { String::new() }
+    )]
+    #[diagnostic(help(
+        "keep one particle a place: take the other out, or move them apart. Where the scalar rounds \
+         two places to one, use a format with more fractional bits, or a smaller domain"
+    ))]
+    Coincident {
+        /// The one with the lower id.
+        first: usize,
+        /// The other.
+        second: usize,
+        /// How many lie where one before lies.
+        count: usize,
+        /// Where, in the scenario's units.
+        place: String,
         /// The scalar.
         scalar: String,
     },
@@ -138,6 +150,24 @@ pub enum RunError {
     },
 }
 
+/// What holds a number that a scalar does not.
+fn wider(value: f64, scalar: &str) -> &'static str {
+    match (scalar.starts_with('q'), value.abs() > 1.0) {
+        (true, true) => {
+            "use a format with more integer bits, or fewer particles: lengths are counted in particle \
+             spacings"
+        }
+        (true, false) => {
+            "use a format with more fractional bits: masses, velocities and energies are counted in \
+             those of the first state"
+        }
+        (false, _) => {
+            "use f64, or fewer particles: lengths are counted in particle spacings, masses, velocities \
+             and energies in those of the first state"
+        }
+    }
+}
+
 impl RunError {
     /// The same of a solver that has made no step: its cure is none of smaller ones.
     pub(crate) fn at_start(self) -> Self {
@@ -159,7 +189,11 @@ impl RunError {
     pub fn is_of_input(&self) -> bool {
         matches!(
             self,
-            Self::Format { .. } | Self::Memory { .. } | Self::Width { .. } | Self::Step { .. }
+            Self::Format { .. }
+                | Self::Coincident { .. }
+                | Self::Memory { .. }
+                | Self::Width { .. }
+                | Self::Step { .. }
         )
     }
 }

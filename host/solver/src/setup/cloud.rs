@@ -7,26 +7,59 @@
 
 use std::path::Path;
 
+use super::places::Places;
 use super::{Placed, SetupError};
 use crate::scenario::table::{self, Column, Row, Table, TableFault};
 use crate::scenario::{EquationOfState, Scenario};
 
-/// The particles of a file, in its order.
-pub(super) fn read(path: &Path, scenario: &Scenario) -> Result<Vec<Placed>, SetupError> {
-    table::read(path, |table| parsed(table, scenario)).map_err(SetupError::Cloud)
+/// The particles of a file, in its order; `doubts`: what does not keep them from being run.
+pub(super) fn read(
+    path: &Path,
+    scenario: &Scenario,
+    doubts: &mut Vec<String>,
+) -> Result<Vec<Placed>, SetupError> {
+    table::read(path, |table| parsed(table, scenario, doubts)).map_err(SetupError::Cloud)
 }
 
-fn parsed(table: &Table<'_>, scenario: &Scenario) -> Result<Vec<Placed>, TableFault> {
+fn parsed(
+    table: &Table<'_>,
+    scenario: &Scenario,
+    doubts: &mut Vec<String>,
+) -> Result<Vec<Placed>, TableFault> {
     let columns = Columns::of(table, scenario)?;
     // A file need not say the density: then the mean is a first guess, once all masses are
     // known.
     let mut particles = Vec::new();
+    let mut places = Places::new(&scenario.domain);
     table.rows(|row| {
-        particles.push(columns.particle(row, scenario)?);
+        let particle = columns.particle(row, scenario)?;
+        places.push(particle.position, row.place());
+        particles.push(particle);
         Ok(())
     })?;
+    places.check_apart(table)?;
     if columns.density.is_none() {
         guess_density(&mut particles, scenario);
+        return Ok(particles);
+    }
+    let volumes: Vec<f64> = particles.iter().map(|p| p.mass / p.density).collect();
+    if let Some(found) = places.contradiction(&volumes) {
+        let Placed { mass, density, .. } = particles[found.particle];
+        let message = format!(
+            "line {}: density = {density} with mass = {mass} is a volume of {:.4e}, but its \
+             neighbours leave it {:.4e}, a density of {:.4e}{}",
+            places.line(found.particle).number,
+            found.claimed,
+            found.room,
+            mass / found.room,
+            found.extent(),
+        );
+        let help = "densities are summed from masses and places anyway (3.10): give mass, density and \
+                    position in the scenario's units, or leave `density` out and give `energy`";
+        if found.is_of_most {
+            return Err(table.fault_at(places.line(found.particle), message, help));
+        }
+        doubts.push(format!("{message}; {help}"));
     }
     Ok(particles)
 }
@@ -43,6 +76,23 @@ fn guess_density(particles: &mut [Placed], scenario: &Scenario) {
         particle.pressure = law.pressure(density, particle.energy);
     }
 }
+
+/// The headings that are read.
+const NAMES: [&str; 13] = [
+    "position",
+    "position_x",
+    "position_y",
+    "position_z",
+    "velocity",
+    "velocity_x",
+    "velocity_y",
+    "velocity_z",
+    "mass",
+    "energy",
+    "pressure",
+    "density",
+    "material",
+];
 
 /// The columns that are read.
 struct Columns {
@@ -62,14 +112,15 @@ impl Columns {
             "need position_x, velocity_x and so on (dimension = {dimension}), mass, and energy or \
              pressure"
         );
+        table.spelled(&NAMES)?;
         let columns = Self {
             position: table.vector("position", dimension, &need)?,
             velocity: table.vector("velocity", dimension, &need)?,
             mass: table.required("mass", &need)?,
-            energy: table.optional("energy"),
-            pressure: table.optional("pressure"),
-            density: table.optional("density"),
-            material: table.optional("material"),
+            energy: table.optional("energy")?,
+            pressure: table.optional("pressure")?,
+            density: table.optional("density")?,
+            material: table.optional("material")?,
         };
         let laws = || scenario.materials.iter().map(|material| &material.law);
         if columns.energy.is_none() && !laws().all(EquationOfState::is_barotropic) {

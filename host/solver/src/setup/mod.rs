@@ -11,14 +11,17 @@
 mod apportion;
 mod arrange;
 mod block;
+mod claims;
 mod close_packed;
 mod cloud;
+mod coincidence;
 mod cubic;
 mod deposit;
 mod error;
 mod glass;
 mod hexagonal;
 mod line;
+mod places;
 mod profile;
 mod random;
 mod regions;
@@ -26,10 +29,14 @@ mod sampled;
 mod square;
 #[cfg(test)]
 mod tests;
+mod tree;
 
 pub use crate::scenario::table::CloudError;
 pub use apportion::apportion;
+pub use claims::{Contradiction, contradiction};
+pub use coincidence::{Coincidence, Room, SAME_PLACE, coincidence, mean_spacing};
 pub use error::SetupError;
+pub use places::Places;
 
 use crate::scenario::table::MOST_ROWS;
 use crate::scenario::{Arrangement, Scenario};
@@ -63,15 +70,24 @@ pub const LARGEST: usize = MOST_ROWS;
 /// Regions and deposits without particles, files that are no cloud, glasses too small for
 /// their sides, and more than [`LARGEST`] particles.
 pub fn particles(scenario: &Scenario) -> Result<Vec<Placed>, SetupError> {
+    Ok(placed(scenario)?.0)
+}
+
+/// The same, and what a careful reader should know of the file that they come from.
+///
+/// # Errors
+/// Those of [`particles`].
+pub fn placed(scenario: &Scenario) -> Result<(Vec<Placed>, Vec<String>), SetupError> {
     check_count(scenario)?;
+    let mut doubts = Vec::new();
     let mut particles = match (&scenario.resolution.arrangement, &scenario.profile) {
-        (Arrangement::File(file), _) => cloud::read(file, scenario)?,
+        (Arrangement::File(file), _) => cloud::read(file, scenario, &mut doubts)?,
         (_, Some(profile)) => profile::place(profile, scenario)?,
         (_, None) if scenario.dimension == 1 => line::place(scenario)?,
         (_, None) => regions::place(scenario)?,
     };
     deposit::add(scenario, &mut particles)?;
-    Ok(particles)
+    Ok((particles, doubts))
 }
 
 /// Refuses more than [`LARGEST`] particles, before any is placed.

@@ -253,6 +253,7 @@ mod tests {
                 text: String::new(),
                 times: times.to_vec(),
                 values: values.to_vec(),
+                is_held: true,
             };
             within(&series, 4.0)
         };

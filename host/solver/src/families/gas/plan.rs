@@ -51,6 +51,8 @@ pub struct Plan {
     pub courant: f64,
     /// What it is drawn over.
     pub abscissa: Abscissa,
+    /// Why the results may not mean what they say.
+    pub doubts: Vec<String>,
 }
 
 /// The smallest Ω that a run accepts. Next to a jump of density it falls to about 0.4; at 0

@@ -35,7 +35,7 @@ impl Plan {
     /// What [`PlanError`] lists.
     pub fn new(scenario: &Scenario) -> Result<Self, PlanError> {
         Self::check_size(scenario)?;
-        let placed = setup::particles(scenario)?;
+        let (placed, doubts) = setup::placed(scenario)?;
         let units = units(scenario, &placed);
         check_units(&units)?;
         check_reach(scenario, units.length)?;
@@ -75,6 +75,7 @@ impl Plan {
             end: scenario.time.end / units.time(),
             courant: scenario.time.courant,
             abscissa: abscissa(scenario),
+            doubts,
         })
     }
 }

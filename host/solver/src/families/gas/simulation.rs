@@ -16,6 +16,7 @@ use super::memory::GasArrays;
 use super::opening::OpenSides;
 use super::plan::Plan;
 use crate::engine::{Holder, HostScalar, Threads};
+use crate::families::apart::{Frame, check_apart};
 use crate::run::{
     Description, Measures, Outcome, Row, RunError, Schedule, Simulation, Spread, Spreading, Step,
     Stops, Sum, check_memory, check_step,
@@ -115,6 +116,7 @@ fn prepared<S: HostScalar, P: Physics<S, D> + Send + 'static, const D: usize>(
             plan,
         },
     };
+    simulation.check_apart(scalar)?;
     simulation.prepare(engine).map_err(RunError::at_start)?;
     Ok(Box::new(simulation))
 }
@@ -131,6 +133,16 @@ struct Particle {
 }
 
 impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> GasSimulation<S, P, D> {
+    fn check_apart(&self, scalar: &str) -> Result<(), RunError> {
+        let plan = &self.setup.plan;
+        let frame = Frame {
+            axes: &plan.axes,
+            middle: plan.middle,
+            length: plan.units.length,
+        };
+        check_apart(&self.memory.position, &frame, scalar)
+    }
+
     fn prepare(&mut self, engine: &mut Threads) -> Result<(), RunError> {
         engine.serve(&self.holder);
         let failed = self.failed();
@@ -385,6 +397,10 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
 
     fn digest(&mut self) -> Digest {
         self.memory.gas().digest()
+    }
+
+    fn doubts(&self, _: &Outcome) -> Vec<String> {
+        self.setup.plan.doubts.clone()
     }
 
     fn warnings(&self, outcome: &Outcome) -> Vec<String> {

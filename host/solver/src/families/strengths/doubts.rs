@@ -14,6 +14,7 @@ pub(super) fn doubts(scenario: &LinearScenario, spacing: f64, weights: &[f64]) -
     volume(scenario, spacing, weights)
         .into_iter()
         .chain(resolution(scenario, spacing))
+        .chain(series(scenario))
         .collect()
 }
 
@@ -127,6 +128,30 @@ fn volume(scenario: &LinearScenario, spacing: f64, weights: &[f64]) -> Option<St
              waves run at wrong speeds where they are not"
         )
     })
+}
+
+/// A series of which a run meets next to nothing: most often its times are in another unit.
+fn series(scenario: &LinearScenario) -> Vec<String> {
+    let end = scenario.time.end;
+    let driven = scenario.system.driven();
+    let mut doubts: Vec<String> = driven
+        .into_iter()
+        .filter_map(|(_, series)| {
+            let (&first, &last) = (series.times.first()?, series.times.last()?);
+            let met = series.times.iter().filter(|time| (0.0..=end).contains(*time));
+            let met = met.count();
+            (last > 20.0 * end && met < 4).then(|| {
+                format!(
+                    "the run from 0 to {end} meets {met} of the {} rows of `{}`, whose times go from \
+                     {first} to {last}: are they in another unit of time?",
+                    series.times.len(),
+                    series.file
+                )
+            })
+        })
+        .collect();
+    doubts.dedup();
+    doubts
 }
 
 /// A state at t = 0 that the particles cannot show.

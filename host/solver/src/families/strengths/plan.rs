@@ -155,6 +155,7 @@ impl Plan {
             budget: Budget::of(scenario),
             doubts: doubts(scenario, spacing, &quadrature.weights),
         };
+        plan.doubts.extend(quadrature.doubts);
         plan.doubts.extend(layers::check(scenario, plan.width())?);
         Ok(plan)
     }

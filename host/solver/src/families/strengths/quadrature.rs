@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::scenario::Extent;
 use crate::scenario::linear::{Arrangement, LinearScenario};
 use crate::scenario::table::{self, Column};
-use crate::setup::{CloudError, LARGEST};
+use crate::setup::{CloudError, LARGEST, Places};
 
 /// Points and weights, in the scenario's units.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +17,8 @@ pub struct Quadrature {
     pub weights: Vec<f64>,
     /// The state at the points, one after the other, where a file holds it.
     pub values: Option<Vec<f64>>,
+    /// What a careful reader should know of the file that holds them.
+    pub doubts: Vec<String>,
 }
 
 /// Why there are no particles.
@@ -193,6 +195,7 @@ fn distorted(
         positions,
         weights,
         values: None,
+        doubts: Vec::new(),
     })
 }
 
@@ -218,6 +221,7 @@ fn low_discrepancy(extent: &Extent, particles: usize) -> Quadrature {
         positions: (0..particles).map(place).collect(),
         weights: vec![volume / particles as f64; particles],
         values: None,
+        doubts: Vec::new(),
     }
 }
 
@@ -234,27 +238,44 @@ fn file(path: &Path, scenario: &LinearScenario) -> Result<Quadrature, Quadrature
             "need position_x and so on (dimension = {dimension}), {}",
             names.join(", ")
         );
+        let mut known: Vec<&str> = names.iter().map(String::as_str).collect();
+        known.extend(["position", "position_x", "position_y", "position_z"]);
+        table.spelled(&known)?;
         let position = table.vector("position", dimension, &need)?;
         let columns: Vec<Column> = names
             .iter()
             .map(|name| table.required(name, &need))
             .collect::<Result<_, _>>()?;
         let (mut positions, mut weights, mut values) = (Vec::new(), Vec::new(), Vec::new());
+        let mut places = Places::new(&scenario.domain);
         table.rows(|row| {
             let mut place = [0.0; 3];
             for (i, (x, column)) in place.iter_mut().zip(&position).enumerate() {
                 *x = row.within(column, scenario.domain.bounds(i))?;
             }
             positions.push(place);
+            places.push(place, row.place());
             weights.push(row.positive(&columns[0])?);
             for column in &columns[1..] {
                 values.push(row.number(column)?);
             }
             Ok(())
         })?;
+        places.check_apart(table)?;
+        let doubt = places.contradiction(&weights).map(|found| {
+            format!(
+                "line {}: weight = {}, but its neighbours leave the particle a volume of {:.4e}{}: \
+                 weights are volumes, and waves run at wrong speeds where they are not",
+                places.line(found.particle).number,
+                found.claimed,
+                found.room,
+                found.extent(),
+            )
+        });
         Ok(Quadrature {
             positions,
             weights,
+            doubts: doubt.into_iter().collect(),
             values: scenario.initial.is_none().then_some(values),
         })
     })?;

@@ -16,6 +16,7 @@ use super::memory::CloudArrays;
 use super::plan::Plan;
 use super::solver::Solver;
 use crate::engine::{Holder, HostScalar, Threads};
+use crate::families::apart::{Frame, check_apart};
 use crate::run::{
     Description, EnergyNorm, Measures, Outcome, Particulars, Row, RunError, Schedule, Simulation,
     Spread, Step, Stops, Sum, check_memory, check_step,
@@ -70,6 +71,12 @@ where
         solver,
         description,
     };
+    let frame = Frame {
+        axes: &simulation.plan.axes,
+        middle: simulation.plan.middle,
+        length: simulation.plan.units.length,
+    };
+    check_apart(&simulation.cloud().position, &frame, scalar)?;
     simulation.prepare(engine).map_err(RunError::at_start)?;
     Ok(Box::new(simulation))
 }

@@ -60,9 +60,11 @@ fn what_motes_writes_reads_back_to_the_same_bits() {
             .to_owned();
     for (id, p) in before.iter().enumerate() {
         let (x, u) = ((p.position[0] + 1.0) / 2.0, p.velocity[0]);
+        // Half the room, half the mass.
+        let mass = p.mass / 2.0;
         cloud += &format!(
-            "{id},{x},{u},{},{},{},{},0.1,7,0\n",
-            p.mass, p.density, p.pressure, p.energy
+            "{id},{x},{u},{mass},{},{},{},0.1,7,0\n",
+            p.density, p.pressure, p.energy
         );
     }
     let after = read(1, IDEAL, &cloud).unwrap();
@@ -72,7 +74,10 @@ fn what_motes_writes_reads_back_to_the_same_bits() {
             a.position[0].to_bits(),
             ((b.position[0] + 1.0) / 2.0).to_bits()
         );
-        assert_eq!((a.mass, a.density, a.energy), (b.mass, b.density, b.energy));
+        assert_eq!(
+            (2.0 * a.mass, a.density, a.energy),
+            (b.mass, b.density, b.energy)
+        );
         assert_near(a.pressure, b.pressure, 1e-15);
     }
 }
@@ -157,6 +162,33 @@ fn every_fault_names_file_line_column_value_and_cure() {
                 "line 3 has 3 fields, the heading has 4",
                 "cut short",
                 "cloud.csv:3:1",
+            ],
+        ),
+        (
+            "position,velocity,mass,energy,mass",
+            "0.5,0,1,1,1",
+            [
+                "the heading has `mass` twice, as columns 3 and 5",
+                "keep one of the two",
+                "cloud.csv:1:1",
+            ],
+        ),
+        (
+            "position,velocity,mass,energy,position_x",
+            "0.5,0,1,1,0.5",
+            [
+                "columns 1 and 5, `position` and `position_x`",
+                "the same quantity",
+                "cloud.csv:1:1",
+            ],
+        ),
+        (
+            "position,velocity,mass,energy,Density",
+            "0.5,0,1,1,1",
+            [
+                "column 5 is called `Density`, which is not read as `density`",
+                "case counts",
+                "cloud.csv:1:1",
             ],
         ),
         (

@@ -1,6 +1,7 @@
 //! Particles are where, and what, a scenario says.
 
 mod cloud;
+mod contradictions;
 mod glass;
 mod lattices;
 mod profiles;

@@ -4,7 +4,7 @@ use super::*;
 
 /// A wall that the column `t` of a file drives.
 const DRIVEN: &str = "[[wall]]\naxis = \"x\"\nend = \"upper\"\nkind = \"value\"\n\
-                      series = { file = \"day.csv\", column = \"t\" }\n[initial]";
+                      series = { file = \"day.csv\", column = \"t\", beyond = \"hold\" }\n[initial]";
 
 /// [`SLAB`] with that wall, beside a file of these bytes.
 fn beside(bytes: &[u8]) -> Result<LinearScenario, ScenarioError> {
@@ -52,6 +52,8 @@ const FAULTS: &[(&str, &[&str])] = &[
     ("time,t\ninf,1\n", &["line 2, time = inf", "need an ordinary number", "day.csv:2:1"]),
     ("time,t\n0,1\n0,2\n", &["line 3, time = 0", "need a time after that of the row before, 0", "day.csv:3:1"]),
     ("time,t\n1,1\n0.5,2\n", &["line 3, time = 0.5", "the row before, 1"]),
+    ("time,t,t\n0,1,2\n", &["the heading has `t` twice, as columns 2 and 3", "keep one", "day.csv:1:1"]),
+    ("time,t,time\n0,1,2\n", &["the heading has `time` twice, as columns 1 and 3"]),
     ("time,t\n0,1\n1\n", &["line 3 has 1 fields, the heading has 2", "a file cut short"]),
 ];
 
@@ -68,6 +70,43 @@ fn every_fault_of_a_series_names_the_value_the_line_and_the_cure() {
         "saved as UTF-8",
     ];
     assert_report_holds(&error, &parts);
+}
+
+/// The run of [`SLAB`] goes from 0 to 0.5.
+#[test]
+fn a_series_that_does_not_cover_the_run_names_both_and_the_cure() {
+    let read = |rows: &str| {
+        let driven = DRIVEN.replace(", beyond = \"hold\"", "");
+        let file = File::new(changed(SLAB, &[("[initial]", &driven)]));
+        std::fs::write(
+            file.folder.path().join("day.csv"),
+            format!("time,t\n{rows}"),
+        )
+        .unwrap();
+        LinearScenario::read(Source::File(file.path()), &[])
+    };
+    for rows in ["0,1\n0.5,2\n", "-3,1\n7,2\n", "0,1\n0.4999999999,2\n"] {
+        read(rows).unwrap();
+    }
+    for (rows, times) in [
+        (
+            "1.6e9,1\n1600000001,2\n",
+            "its times go from 1600000000 to 1600000001",
+        ),
+        ("0,1\n0.4,2\n", "its times go from 0 to 0.4"),
+        ("0.1,1\n2,2\n", "its times go from 0.1 to 2"),
+        ("0,1\n", "the only time in it is 0"),
+    ] {
+        let parts = [
+            "wall.0.series.file = \"day.csv\"",
+            times,
+            "the run from 0 to 0.5",
+            "in its unit of time",
+            "beyond = \"hold\"",
+            "mine.toml:",
+        ];
+        assert_report_holds(&read(rows).unwrap_err(), &parts);
+    }
 }
 
 #[test]

@@ -259,7 +259,7 @@ impl fmt::Display for Error {
             Self::NegativeEnergy { particle } => write!(
                 f,
                 "the internal energy of particle {particle} fell below zero: use a smaller time \
-                 step or more particles; in fixed point, check for overflow"
+                 step or more particles"
             ),
             Self::NotFinite { particle, quantity } => write!(
                 f,

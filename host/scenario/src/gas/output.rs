@@ -101,17 +101,7 @@ fn exists(exact: Exact, dimension: usize, gas: &Gas) -> Result<(), (String, &'st
             if deposits > 0 {
                 return Err((format!("the number of deposits is {deposits}"), cure));
             }
-            let barotropic = gas.regions.iter().find_map(|region| {
-                let law = &gas.materials[region.material].law;
-                law.is_barotropic().then(|| law.name())
-            });
-            match barotropic {
-                Some(name) => Err((
-                    format!("a region is {name}"),
-                    "it is known for ideal-gas and stiffened-gas; otherwise leave `exact` out",
-                )),
-                None => Ok(()),
-            }
+            Ok(())
         }
         Exact::Sedov => {
             let cure = "it needs one region, one deposit and an ideal gas; otherwise leave \

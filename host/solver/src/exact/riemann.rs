@@ -7,34 +7,30 @@
 //! shocks and fans are those of the ideal gas: R. Menikoff and B. J. Plohr, Reviews of Modern
 //! Physics 61 (1989), section IV; B. J. Plohr, AIAA Journal 26 (1988).
 //!
+//! Or the density alone gives their pressure: `barotropic`. Any two may meet.
+//!
 //! E. F. Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics, 3rd
 //! edition 2009, chapter 4; equation numbers are his.
 //! Differs from the book: each side has its own gamma (two gases that meet at
 //! the contact); the right wave is the mirror image of a left one; Newton's
 //! method works on ln(p + lower p_inf), which keeps that positive.
 
+mod barotropic;
 mod flow;
+mod side;
+mod state;
 #[cfg(test)]
 mod tests;
 mod wave;
 
 pub use flow::RiemannFlow;
+pub use state::GasState;
 
 use thiserror::Error;
 
 use super::flow::Number;
-use wave::{Gas, Wave};
-
-/// Density, velocity and pressure at a point.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GasState {
-    /// Mass / length; 0 in a vacuum.
-    pub density: f64,
-    /// Length / time.
-    pub velocity: f64,
-    /// Density * velocity^2; in a vacuum 0, or minus the lower pressure at infinity.
-    pub pressure: f64,
-}
+use crate::scenario::EquationOfState;
+use side::{Side, Wave};
 
 /// Two gases, `p = (gamma - 1) rho e - gamma p_inf`, that meet at x = 0 when t = 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -119,25 +115,14 @@ impl RiemannProblem {
             self.left_pressure_at_infinity,
             self.right_pressure_at_infinity,
         );
-        // Only p + p_inf counts, and no gas bears a pressure below -p_inf.
-        let floor = -left_p_inf.min(right_p_inf);
-        let left = Gas::new(self.left, self.left_gamma, left_p_inf, floor);
-        let right = Gas::new(mirrored(self.right), self.right_gamma, right_p_inf, floor);
-        let Some(level) = star_level(&left, &right)? else {
-            return Ok(RiemannSolution {
-                left: left.wave(0.0, left.vacuum_edge()),
-                right: right.wave(0.0, right.vacuum_edge()),
-                vacuum: true,
-            });
+        let law = |gamma, pressure_at_infinity| EquationOfState::StiffenedGas {
+            gamma,
+            pressure_at_infinity,
         };
-        let ((f_left, _), (f_right, _)) = (left.f(level), right.f(level));
-        // (4.9)
-        let velocity = 0.5 * (self.left.velocity + self.right.velocity) + 0.5 * (f_right - f_left);
-        Ok(RiemannSolution {
-            left: left.wave(level, velocity),
-            right: right.wave(level, -velocity),
-            vacuum: false,
-        })
+        meeting(
+            (self.left, law(self.left_gamma, left_p_inf)),
+            (self.right, law(self.right_gamma, right_p_inf)),
+        )
     }
 
     fn check(&self) -> Result<(), RiemannError> {
@@ -162,17 +147,83 @@ impl RiemannProblem {
             ("right gamma", gammas.1, "> 1", gammas.1 > 1.0),
             ("right p_inf", right_p_inf, ">= 0", right_p_inf >= 0.0),
         ];
-        for (quantity, value, need, holds) in numbers {
-            if !value.is_finite() || !holds {
-                return Err(RiemannError::OutOfRange {
-                    quantity,
-                    value,
-                    need,
-                });
-            }
-        }
-        Ok(())
+        check(&numbers)
     }
+}
+
+/// The exact solution for matter of any equation of state on either side, as
+/// [`RiemannProblem::solve`].
+///
+/// # Errors
+/// Those of [`RiemannProblem::solve`].
+pub fn between(
+    left: (GasState, EquationOfState),
+    right: (GasState, EquationOfState),
+) -> Result<RiemannSolution, RiemannError> {
+    let finite = "a finite number";
+    for (name, (state, law)) in [("left density", left), ("right density", right)] {
+        let numbers: [Number; 3] = [
+            (name, state.density, "> 0", state.density > 0.0),
+            ("velocity", state.velocity, finite, true),
+            (
+                "pressure",
+                state.pressure,
+                "> 0, or > -p_inf in a stiffened gas, or > -B in a liquid",
+                state.pressure + side::stiffness(&law) > 0.0,
+            ),
+        ];
+        check(&numbers)?;
+    }
+    meeting(left, right)
+}
+
+/// The same of numbers that have been checked.
+fn meeting(
+    left: (GasState, EquationOfState),
+    right: (GasState, EquationOfState),
+) -> Result<RiemannSolution, RiemannError> {
+    // Only p + p_inf counts, and no gas bears a pressure below -p_inf.
+    let floor = -side::stiffness(&left.1).min(side::stiffness(&right.1));
+    let velocities = (left.0.velocity, right.0.velocity);
+    let left = Side::new(left.0, &left.1, floor);
+    let right = Side::new(mirrored(right.0), &right.1, floor);
+    let Some(level) = star_level(&left, &right)? else {
+        let edges = [left.vacuum_edge(), right.vacuum_edge()];
+        if !edges.iter().all(|edge| edge.is_finite()) {
+            return Err(RiemannError::OutOfRange {
+                quantity: "right velocity",
+                value: velocities.1,
+                need: "gases that part more slowly: an isothermal one leaves no vacuum",
+            });
+        }
+        return Ok(RiemannSolution {
+            left: left.wave(0.0, edges[0]),
+            right: right.wave(0.0, edges[1]),
+            vacuum: true,
+        });
+    };
+    let ((f_left, _), (f_right, _)) = (left.f(level), right.f(level));
+    // (4.9)
+    let velocity = 0.5 * (velocities.0 + velocities.1) + 0.5 * (f_right - f_left);
+    Ok(RiemannSolution {
+        left: left.wave(level, velocity),
+        right: right.wave(level, -velocity),
+        vacuum: false,
+    })
+}
+
+/// An error that names the first number that is not finite or not as it should be.
+fn check(numbers: &[Number]) -> Result<(), RiemannError> {
+    for &(quantity, value, need, holds) in numbers {
+        if !value.is_finite() || !holds {
+            return Err(RiemannError::OutOfRange {
+                quantity,
+                value,
+                need,
+            });
+        }
+    }
+    Ok(())
 }
 
 impl RiemannSolution {
@@ -180,24 +231,22 @@ impl RiemannSolution {
     /// both gases bear (0 unless both are stiffened), and the velocity is `xi`, which joins
     /// those of its edges. On the contact: the left gas.
     pub fn sample(&self, xi: f64) -> GasState {
-        self.state_and_gas(xi).0
+        self.state_and_wave(xi).0
     }
 
     /// The internal energy per mass at `xi = x/t`: `(p + gamma p_inf) / ((gamma - 1) rho)`,
-    /// with the gamma and `p_inf` of the gas that is there; 0 in a vacuum.
+    /// with the gamma and `p_inf` of the gas that is there; of barotropic matter what it has gained;
+    /// 0 in a vacuum.
     pub fn internal_energy(&self, xi: f64) -> f64 {
-        match self.state_and_gas(xi) {
-            (state, Some(gas)) if state.density > 0.0 => {
-                let p = state.pressure + gas.gamma * gas.pressure_at_infinity;
-                p / ((gas.gamma - 1.0) * state.density)
-            }
+        match self.state_and_wave(xi) {
+            (state, Some((wave, xi))) if state.density > 0.0 => wave.internal_energy(state, xi),
             _ => 0.0,
         }
     }
 
     /// The state beside the contact; none if there is a vacuum between the waves.
     pub fn star(&self) -> Option<Star> {
-        let (left, right) = (self.left.inside, self.right.inside);
+        let (left, right) = (self.left.front.inside, self.right.front.inside);
         (!self.vacuum).then_some(Star {
             pressure: left.pressure,
             velocity: left.velocity,
@@ -208,25 +257,26 @@ impl RiemannSolution {
 
     /// Where the left wave begins and ends, as x/t; the same twice for a shock.
     pub fn left_wave(&self) -> [f64; 2] {
-        [self.left.head, self.left.tail]
+        [self.left.front.head, self.left.front.tail]
     }
 
     /// Where the right wave begins and ends, as x/t; the same twice for a shock.
     pub fn right_wave(&self) -> [f64; 2] {
-        [-self.right.tail, -self.right.head]
+        [-self.right.front.tail, -self.right.front.head]
     }
 
-    fn state_and_gas(&self, xi: f64) -> (GasState, Option<&Gas>) {
-        if xi <= self.left.inside.velocity {
-            (self.left.sample(xi), Some(&self.left.gas))
-        } else if xi >= -self.right.inside.velocity {
+    /// The state, and the wave that it belongs to with `xi` as that wave sees it.
+    fn state_and_wave(&self, xi: f64) -> (GasState, Option<(&Wave, f64)>) {
+        if xi <= self.left.front.inside.velocity {
+            (self.left.sample(xi), Some((&self.left, xi)))
+        } else if xi >= -self.right.front.inside.velocity {
             let state = mirrored(self.right.sample(-xi));
-            (state, Some(&self.right.gas))
+            (state, Some((&self.right, -xi)))
         } else {
             let vacuum = GasState {
                 density: 0.0,
                 velocity: xi,
-                pressure: self.left.inside.pressure,
+                pressure: self.left.front.inside.pressure,
             };
             (vacuum, None)
         }
@@ -245,13 +295,14 @@ fn mirrored(state: GasState) -> GasState {
 ///
 /// Newton's method on the logarithm between two bounds that close in; a step out of them
 /// is replaced by their geometric mean, so the iteration always ends.
-fn star_level(left: &Gas, right: &Gas) -> Result<Option<f64>, RiemannError> {
+fn star_level(left: &Side, right: &Side) -> Result<Option<f64>, RiemannError> {
     let f = |p: f64| {
         let ((f_left, slope_left), (f_right, slope_right)) = (left.f(p), right.f(p));
-        let parting = -right.state.velocity - left.state.velocity;
+        let parting = -right.state().velocity - left.state().velocity;
         (f_left + f_right + parting, slope_left + slope_right)
     };
-    let (least, greatest) = (left.level.min(right.level), left.level.max(right.level));
+    let levels = [left.level(), right.level()];
+    let (least, greatest) = (levels[0].min(levels[1]), levels[0].max(levels[1]));
     // A stiffened gas beside an ideal one may be below 0; the other never is.
     let mut lower = if least > 0.0 { least } else { greatest };
     while f(lower).0 > 0.0 {

@@ -4,6 +4,7 @@ use proptest::prelude::*;
 
 use super::*;
 
+mod barotropic;
 mod stiffened;
 
 fn problem(left: [f64; 3], right: [f64; 3], gammas: [f64; 2]) -> RiemannProblem {

@@ -3,7 +3,7 @@
 //! Powers are std's, not libm's as in the other solutions: `embedded/src/tube.rs` holds their
 //! bits. The states outside the waves, all that there is at t = 0, need none.
 
-use super::GasState;
+use super::state::{Front, GasState};
 
 /// A uniform gas with a wave running to the left into it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,18 +20,6 @@ pub(super) struct Gas {
     /// `p + p_inf` outside.
     total: f64,
     sound_speed: f64,
-}
-
-/// A shock or fan running to the left.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Wave {
-    pub gas: Gas,
-    /// Behind the wave, at the contact or at the edge of the vacuum.
-    pub inside: GasState,
-    /// Speed of the front; of a shock.
-    pub head: f64,
-    /// Speed of the end; equal to `head` for a shock.
-    pub tail: f64,
 }
 
 impl Gas {
@@ -78,7 +66,7 @@ impl Gas {
 
     /// The wave behind which the pressure is `floor + level` and the velocity as given:
     /// section 4.5.
-    pub fn wave(self, level: f64, velocity: f64) -> Wave {
+    pub fn front(&self, level: f64, velocity: f64) -> Front {
         let (gamma, a, outside) = (self.gamma, self.sound_speed, self.state);
         let ratio = (level + self.stiffness) / self.total;
         let (density, head, tail) = if ratio > 1.0 {
@@ -97,33 +85,20 @@ impl Gas {
             velocity,
             pressure: self.floor + level,
         };
-        Wave {
-            gas: self,
-            inside,
-            head,
-            tail,
-        }
+        Front { inside, head, tail }
     }
-}
 
-impl Wave {
-    /// The state at `xi`, left of the contact; inside a fan (4.56).
-    pub fn sample(&self, xi: f64) -> GasState {
-        if xi <= self.head {
-            return self.gas.state;
-        }
-        if xi >= self.tail {
-            return self.inside;
-        }
-        let (gamma, a, outside) = (self.gas.gamma, self.gas.sound_speed, self.gas.state);
+    /// The state at `xi` in a fan (4.56).
+    pub fn fan(&self, xi: f64) -> GasState {
+        let (gamma, a, outside) = (self.gamma, self.sound_speed, self.state);
         // Sound speed here / outside; rounding may take it below 0 beside a vacuum.
         let c = (2.0 + (gamma - 1.0) * (outside.velocity - xi) / a) / (gamma + 1.0);
         let c = c.max(0.0);
-        let total = self.gas.total * c.powf(2.0 * gamma / (gamma - 1.0));
+        let total = self.total * c.powf(2.0 * gamma / (gamma - 1.0));
         GasState {
             density: outside.density * c.powf(2.0 / (gamma - 1.0)),
             velocity: xi + a * c,
-            pressure: total - self.gas.pressure_at_infinity,
+            pressure: total - self.pressure_at_infinity,
         }
     }
 }

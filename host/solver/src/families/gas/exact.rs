@@ -1,7 +1,7 @@
 //! The exact solution of a gas.
 
 use crate::exact::flow::{Flow, FlowError, FlowState};
-use crate::exact::riemann::{GasState, RiemannError, RiemannFlow, RiemannProblem, RiemannSolution};
+use crate::exact::riemann::{GasState, RiemannError, RiemannFlow, RiemannSolution, between};
 use crate::exact::sedov::SedovProblem;
 use crate::exact::solution::Solution;
 use crate::flows::{profile_flow, reference};
@@ -204,26 +204,11 @@ fn riemann(
         velocity: sides[i].velocity[direction],
         pressure: sides[i].pressure,
     };
-    let law = |i: usize| match scenario.materials[sides[i].material].law {
-        EquationOfState::IdealGas { gamma } => (gamma, 0.0),
-        EquationOfState::StiffenedGas {
-            gamma,
-            pressure_at_infinity,
-        } => (gamma, pressure_at_infinity),
-        // The scenario has been checked: no other has an exact solution.
-        _ => (f64::NAN, f64::NAN),
-    };
-    let problem = RiemannProblem {
-        left: state(0),
-        right: state(1),
-        left_gamma: law(0).0,
-        right_gamma: law(1).0,
-        left_pressure_at_infinity: law(0).1,
-        right_pressure_at_infinity: law(1).1,
-    };
+    let law = |i: usize| scenario.materials[sides[i].material].law;
+    let solution = between((state(0), law(0)), (state(1), law(1)))?;
     let mut normal = [0.0; 3];
     normal[direction] = 1.0;
-    Ok((problem.solve()?, interface, normal))
+    Ok((solution, interface, normal))
 }
 
 /// The blast wave of a scenario's deposit.

@@ -112,14 +112,71 @@ pub trait Columns<S: Scalar> {
             if field.role != Role::State {
                 continue;
             }
-            match self.column(place) {
-                Some(Column::Scalars(values)) => digester.scalars(values),
-                Some(Column::Strengths(values)) => digester.wide::<S>(values),
-                Some(Column::Integers(values)) => digester.integers(values),
-                None => {}
+            if let Some(column) = self.column(place) {
+                column.add_to(&mut digester);
             }
         }
         digester.digest()
+    }
+
+    /// The digest of the same numbers in any order of the particles: the sum, modulo 2^64, of the
+    /// digests of their rows, each the fields of [`Role::State`] one after the other.
+    ///
+    /// Particles change places without changing it; it changes when a bit of one does, and when one
+    /// comes or goes, a twin of another too.
+    fn digest_unordered(&self) -> Digest {
+        let fields = || numbered(self.fields()).filter(|(_, field)| field.role == Role::State);
+        let mut one = fields().filter(|(_, field)| field.components == Components::One);
+        let particles = one.next().and_then(|(place, _)| self.column(place));
+        let particles = particles.map_or(0, |column| column.len());
+        let mut sum = 0u64;
+        for id in 0..particles {
+            let mut row = Digester::new();
+            for (place, _) in fields() {
+                if let Some(column) = self.column(place) {
+                    column.row(id, particles).add_to(&mut row);
+                }
+            }
+            sum = sum.wrapping_add(row.digest().0);
+        }
+        Digest(sum)
+    }
+}
+
+impl<S: Scalar> Column<'_, S> {
+    /// How many numbers there are.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Scalars(values) => values.len(),
+            Self::Strengths(values) => values.len(),
+            Self::Integers(values) => values.len(),
+        }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The numbers of one of so many particles; none beyond the last.
+    pub fn row(&self, id: usize, particles: usize) -> Self {
+        fn row<T>(values: &[T], id: usize, particles: usize) -> &[T] {
+            let each = values.len().checked_div(particles).unwrap_or(0).max(1);
+            values.chunks_exact(each).nth(id).unwrap_or(&[])
+        }
+        match self {
+            Self::Scalars(values) => Self::Scalars(row(values, id, particles)),
+            Self::Strengths(values) => Self::Strengths(row(values, id, particles)),
+            Self::Integers(values) => Self::Integers(row(values, id, particles)),
+        }
+    }
+
+    fn add_to(&self, digester: &mut Digester) {
+        match self {
+            Self::Scalars(values) => digester.scalars(values),
+            Self::Strengths(values) => digester.wide::<S>(values),
+            Self::Integers(values) => digester.integers(values),
+        }
     }
 }
 

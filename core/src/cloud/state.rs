@@ -52,6 +52,11 @@ impl<S: Scalar, const D: usize, const P: usize> State<'_, S, D, P> {
         Columns::digest(self)
     }
 
+    /// The same in any order of the particles: [`Columns::digest_unordered`].
+    pub fn digest_unordered(&self) -> Digest {
+        Columns::digest_unordered(self)
+    }
+
     /// Number of particles.
     pub fn len(&self) -> usize {
         self.weight.len()

@@ -63,6 +63,8 @@ pub struct Summary {
     pub neighbours: Spread,
     /// Digest of the last state: 16 hexadecimal digits.
     pub digest: String,
+    /// The same whatever the order of the particles: a sum over them.
+    pub digest_unordered: String,
     /// What a careful reader should know.
     pub warnings: Vec<String>,
     /// The fields compared, in the order of tables.
@@ -113,6 +115,7 @@ impl Summary {
             balance: Vec::new(),
             neighbours: outcome.neighbours,
             digest: outcome.digest.to_string(),
+            digest_unordered: outcome.digest_unordered.to_string(),
             warnings,
             fields: crate::families::compared(&experiment.scenario),
             leak: description.leak,
@@ -234,7 +237,12 @@ impl fmt::Display for Summary {
         let ([smallest, largest], Spread { min, mean, max }) = (self.time_step, self.neighbours);
         writeln!(f, "time step  {smallest:.3e} to {largest:.3e}")?;
         writeln!(f, "neighbours {min} to {max}, mean {mean:.2}")?;
-        write!(f, "digest     {}", self.digest)?;
+        writeln!(f, "digest     {}", self.digest)?;
+        write!(
+            f,
+            "           {} in any order of the particles",
+            self.digest_unordered
+        )?;
         for warning in &self.warnings {
             write!(f, "\nwarning: {warning}")?;
         }

@@ -145,6 +145,11 @@ impl<S: Scalar, const D: usize> Gas<'_, S, D> {
         Columns::digest(self)
     }
 
+    /// The same in any order of the particles: [`Columns::digest_unordered`].
+    pub fn digest_unordered(&self) -> Digest {
+        Columns::digest_unordered(self)
+    }
+
     /// Number of particles.
     pub fn len(&self) -> usize {
         self.mass.len()

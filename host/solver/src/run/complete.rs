@@ -59,6 +59,7 @@ pub fn complete(
     let seconds = started.elapsed().as_secs_f64();
     let undamped = simulation.undamped(engine)?;
     let digest = simulation.digest();
+    let digest_unordered = simulation.digest_unordered();
     let description = simulation.description();
     let first = simulation.expected(first);
     let drift = first
@@ -82,6 +83,7 @@ pub fn complete(
         time: simulation.time(),
         seconds,
         digest,
+        digest_unordered,
         drift: drift.map(|(drift, _)| drift).collect(),
         is_conserving: description.is_conserving,
         neighbours: simulation.neighbours(),

@@ -56,6 +56,8 @@ pub struct Outcome {
     pub seconds: f64,
     /// Digest of the last state.
     pub digest: Digest,
+    /// The same whatever the order of the particles.
+    pub digest_unordered: Digest,
     /// How far each sum is off from what it should be at the end, over its size: from that of the
     /// start where it is conserved, from its decay where it decays. Sums of which that is not known
     /// are left out; where it is known of none, all are there, with what has come and gone in them.

@@ -153,6 +153,8 @@ pub trait Simulation: Send {
     fn width(&self) -> f64;
     /// The digest of the state: 64 bits that change when any bit of it does.
     fn digest(&mut self) -> Digest;
+    /// The same whatever the order of the particles: a sum over them.
+    fn digest_unordered(&mut self) -> Digest;
 
     /// The reconstruction (1.13) of the state at some points, at the particles without any, one
     /// after the other; empty where there is none. For the end of a run.

@@ -11,6 +11,7 @@ use super::places::Places;
 use super::{Placed, SetupError};
 use crate::scenario::table::{self, Column, Row, Table, TableFault};
 use crate::scenario::{EquationOfState, Scenario};
+use crate::sums::compensated;
 
 /// The particles of a file, in its order; `doubts`: what does not keep them from being run.
 pub(super) fn read(
@@ -69,7 +70,10 @@ fn guess_density(particles: &mut [Placed], scenario: &Scenario) {
     let extent = &scenario.domain.extent;
     let lengths = extent.lower.iter().zip(&extent.upper);
     let volume: f64 = lengths.map(|(lower, upper)| upper - lower).product();
-    let density = particles.iter().map(|p| p.mass).sum::<f64>() / volume;
+    // In order of size: the rows may be in any.
+    let mut masses: Vec<f64> = particles.iter().map(|p| p.mass).collect();
+    masses.sort_unstable_by(f64::total_cmp);
+    let density = compensated(masses.into_iter()) / volume;
     for particle in particles {
         let law = &scenario.materials[usize::from(particle.material)].law;
         particle.density = density;

@@ -109,7 +109,16 @@ fn abscissa(scenario: &Scenario) -> Abscissa {
 /// and the largest speed of sound or gas at the start or coming in.
 fn units(scenario: &Scenario, placed: &[Placed]) -> SolverUnits {
     let count = placed.len().max(1) as f64;
-    let volume = compensated(placed.iter().map(|p| p.mass / p.density));
+    let is_file = matches!(scenario.resolution.arrangement, Arrangement::File(_));
+    let sum = |of: &dyn Fn(&Placed) -> f64| {
+        let mut terms: Vec<f64> = placed.iter().map(of).collect();
+        if is_file {
+            // The rows of a file may be in any order: so that the last bit does not depend on it.
+            terms.sort_unstable_by(f64::total_cmp);
+        }
+        compensated(terms.into_iter())
+    };
+    let volume = sum(&|p| p.mass / p.density);
     let spacing = match scenario.dimension {
         1 => (bounds(scenario, 0)[1] - bounds(scenario, 0)[0]) / count,
         2 => (volume / count).sqrt(),
@@ -128,7 +137,7 @@ fn units(scenario: &Scenario, placed: &[Placed]) -> SolverUnits {
     });
     SolverUnits {
         length: spacing,
-        mass: compensated(placed.iter().map(|p| p.mass)) / count,
+        mass: sum(&|p| p.mass) / count,
         velocity: placed.iter().map(speed).fold(incoming, f64::max).sqrt(),
         dimension: scenario.dimension as i32,
     }

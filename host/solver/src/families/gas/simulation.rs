@@ -421,6 +421,10 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
         self.memory.gas().digest()
     }
 
+    fn digest_unordered(&mut self) -> Digest {
+        self.memory.gas().digest_unordered()
+    }
+
     fn doubts(&self, _: &Outcome) -> Vec<String> {
         self.setup.plan.doubts.clone()
     }

@@ -391,6 +391,10 @@ where
         V::cloud_mut(&mut self.memory).parts().0.digest()
     }
 
+    fn digest_unordered(&mut self) -> Digest {
+        V::cloud_mut(&mut self.memory).parts().0.digest_unordered()
+    }
+
     fn reconstruct(&mut self, points: Option<&[[f64; 3]]>) -> Result<Vec<f64>, RunError> {
         let (plan, failed) = (Arc::clone(&self.plan), self.failed());
         let points: Vec<[S; D]> = match points {

@@ -82,8 +82,8 @@ fn a_run_leaves_whole_tables_a_picture_and_what_was_run() {
     let again = stdout(folder.path(), &["run", "out/sod/scenario.toml", "--json"]);
     let json: Value = serde_json::from_str(&again).unwrap();
     assert_eq!(json["particles"], 225);
-    // Nothing is left lying beside the results.
-    assert_eq!(std::fs::read_dir(&out).unwrap().count(), 4);
+    // Nothing is left lying beside the results and their list, `.motes`.
+    assert_eq!(std::fs::read_dir(&out).unwrap().count(), 5);
 }
 
 #[test]
@@ -486,7 +486,7 @@ fn an_interrupt_leaves_earlier_results_whole() {
     assert_eq!(std::fs::read(&file).unwrap(), before);
     assert_eq!(
         std::fs::read_dir(file.parent().unwrap()).unwrap().count(),
-        4
+        5
     );
 }
 
@@ -598,7 +598,8 @@ fn converge_prints_one_object_with_the_documented_keys_and_leaves_table_and_pict
     assert_eq!(rows[2][3].parse().ok(), levels[2]["l1"].as_f64());
     let picture = std::fs::read_to_string(out.join("converge.svg")).unwrap();
     assert!(picture.starts_with("<svg") && picture.trim_end().ends_with("</svg>"));
-    assert_eq!(std::fs::read_dir(&out).unwrap().count(), 2);
+    // Table, picture, and `.motes`, which lists them.
+    assert_eq!(std::fs::read_dir(&out).unwrap().count(), 3);
 
     // A level is the run of that name.
     let run = stdout(folder.path(), &["run", "sound-wave", "-n", "50", "--json"]);
@@ -670,8 +671,7 @@ fn an_interrupt_ends_converge_and_nothing_is_written() {
         .unwrap();
     assert!(interrupt.success());
     assert_eq!(study.wait().unwrap().code(), Some(130));
-    let out = folder.path().join("out/converge-sod");
-    assert_eq!(std::fs::read_dir(out).unwrap().count(), 0);
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
 }
 
 /// As in `motes run FILE 2>&1 | head -1`.

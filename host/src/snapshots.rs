@@ -1,8 +1,6 @@
 //! Snapshots of a run, as often as its scenario says.
 
-use std::path::Path;
-
-use crate::io::{Cloud, SnapshotFormat, SnapshotSeries, WriteError};
+use crate::io::{Cloud, RunFolder, SnapshotFormat, SnapshotSeries, WriteError};
 use crate::run::{Kind, Simulation};
 use crate::scenario::{self, AnyScenario, Interval, Snapshots};
 
@@ -18,36 +16,42 @@ struct Writer {
 }
 
 impl SnapshotWriter {
-    /// A writer into a folder, of a run of a scenario; one that writes nothing where it asks for
+    /// A writer into the folder of a run of a scenario; one that writes nothing where it asks for
     /// no snapshots.
-    ///
-    /// # Errors
-    /// A folder that cannot be written to.
-    pub fn new(scenario: &AnyScenario, folder: &Path) -> Result<Self, WriteError> {
+    pub fn new(scenario: &AnyScenario, folder: &RunFolder) -> Self {
         let Some(Snapshots { interval, format }) = scenario.snapshots() else {
-            return Ok(Self(None));
+            return Self(None);
         };
         let format = match format {
             scenario::SnapshotFormat::Vtu => SnapshotFormat::Vtu,
             scenario::SnapshotFormat::Csv => SnapshotFormat::Csv,
         };
-        Ok(Self(Some(Writer {
-            series: SnapshotSeries::new(folder, scenario.name(), format)?,
+        Self(Some(Writer {
+            series: SnapshotSeries::new(folder.path(), scenario.name(), format),
             interval,
             end: scenario.end(),
             passed: -1.0,
-        })))
+        }))
     }
 
     /// Writes a snapshot if one is due: at the start, after every interval, and at the end.
     ///
     /// # Errors
     /// A file that cannot be written, as text with its cure.
-    pub fn look(&mut self, simulation: &dyn Simulation) -> Result<(), String> {
+    pub fn look(
+        &mut self,
+        simulation: &dyn Simulation,
+        folder: &mut RunFolder,
+    ) -> Result<(), String> {
         let Some(writer) = self.due(simulation.time(), simulation.steps()) else {
             return Ok(());
         };
-        add(&mut writer.series, simulation).map_err(|error| {
+        let names = writer.series.names(simulation.steps());
+        let noted = names
+            .iter()
+            .try_for_each(|name| folder.place(name).map(drop));
+        let added = noted.and_then(|()| add(&mut writer.series, simulation));
+        added.map_err(|error| {
             let report = miette::Report::new(error);
             format!("{report:?}")
         })

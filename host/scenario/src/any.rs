@@ -1,11 +1,13 @@
 //! A scenario of either family.
 
+use std::path::Path;
+
 use crate::check;
 use crate::error::ScenarioError;
-use crate::linear::{LinearScenario, Measured, Probe, Series};
+use crate::linear::{self, LinearScenario, Measured, Probe, Series};
 use crate::source::Source;
 use crate::tolerance::Tolerance;
-use crate::{Extent, Family, Ring, Scenario, Snapshots, Units};
+use crate::{Arrangement, Extent, Family, Ring, Scenario, Snapshots, Units};
 
 /// A scenario, whatever it describes.
 #[derive(Debug, Clone, PartialEq)]
@@ -88,6 +90,20 @@ impl AnyScenario {
         match self {
             Self::Gas(scenario) => scenario.resolution.particles,
             Self::Linear(scenario) => scenario.resolution.particles,
+        }
+    }
+
+    /// The file that the particles come from, if they come from one.
+    pub fn cloud_file(&self) -> Option<&Path> {
+        match self {
+            Self::Gas(scenario) => match &scenario.resolution.arrangement {
+                Arrangement::File(path) => Some(path),
+                _ => None,
+            },
+            Self::Linear(scenario) => match &scenario.resolution.arrangement {
+                linear::Arrangement::File(path) => Some(path),
+                _ => None,
+            },
         }
     }
 

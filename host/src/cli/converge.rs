@@ -29,7 +29,7 @@ pub(super) fn converge(arguments: &ConvergeArguments) -> Result<(), Failure> {
     let out = arguments.out.clone();
     let out = out.unwrap_or_else(|| Path::new("out").join(name));
     // Now rather than after the runs: a folder that cannot be written to costs no time.
-    io::writable(&out).map_err(Failure::input)?;
+    let mut folder = io::RunFolder::claim(&out).map_err(Failure::input)?;
 
     let mut runs = Runs {
         arguments,
@@ -49,9 +49,10 @@ pub(super) fn converge(arguments: &ConvergeArguments) -> Result<(), Failure> {
     let convergence = Convergence::new(&study, names, runs.warnings);
     let picture = convergence.picture(&study).map_err(Report::new);
     let write = |result: Result<(), io::WriteError>| result.map_err(|e| Failure::Run(e.into()));
-    write(io::write_levels(&out.join("converge.csv"), &study))?;
+    let place = folder.place("converge.csv");
+    write(place.and_then(|place| io::write_levels(&place, &study)))?;
     let picture = picture.map_err(Failure::Run)?;
-    write(io::write_text(&out.join("converge.svg"), &picture))?;
+    write(folder.write("converge.svg", &picture))?;
     if arguments.json {
         let json = serde_json::to_string(&convergence)
             .into_diagnostic()

@@ -26,6 +26,8 @@ pub(super) fn suite(arguments: &SuiteArguments) -> Result<(), Failure> {
         .collect::<Result<Vec<_>, _>>()?;
     let out = &arguments.out;
     let images = out.join("images");
+    // Locked to the end; what else lies there stays.
+    let _folder = io::RunFolder::claim(out).map_err(Failure::input)?;
     io::writable(&images).map_err(|error| Failure::Input(error.into()))?;
     let mut engine =
         Threads::new(arguments.threads).map_err(|error| Failure::Input(error.into()))?;

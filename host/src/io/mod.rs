@@ -1,11 +1,13 @@
 //! Files that a run writes. Each is written beside its place and moved there when whole.
 
+mod folder;
 mod levels;
 mod run;
 mod series;
 mod table;
 mod vtu;
 
+pub use folder::{FolderError, RunFolder};
 pub use levels::write_levels;
 pub use run::{write_particles, write_probe, write_series};
 pub use series::{SnapshotEntry, SnapshotFormat, SnapshotSeries};

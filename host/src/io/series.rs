@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use super::table::{WriteError, components, table, whole, writable, write_text};
+use super::table::{WriteError, components, table, whole, write_text};
 use super::vtu::{Cloud, escaped, write_vtu};
 
 /// How snapshots are written.
@@ -30,7 +30,7 @@ pub struct SnapshotEntry {
 /// Snapshots `snapshots/NAME_000123.vtu` and the list of them, `NAME.pvd`.
 ///
 /// The list is written whole after every snapshot: a run that is cut off leaves a valid series.
-/// Snapshots of an earlier run in the same folder are not listed.
+/// Snapshots of an earlier run in the same folder are not listed; [`super::RunFolder`] removes them.
 #[derive(Clone, Debug)]
 pub struct SnapshotSeries {
     folder: PathBuf,
@@ -40,18 +40,30 @@ pub struct SnapshotSeries {
 }
 
 impl SnapshotSeries {
-    /// An empty series; makes `folder/snapshots`.
-    ///
-    /// # Errors
-    /// The folder cannot be made, or files cannot be made in it.
-    pub fn new(folder: &Path, name: &str, format: SnapshotFormat) -> Result<Self, WriteError> {
-        writable(&folder.join(SNAPSHOTS))?;
-        Ok(Self {
+    /// An empty series; nothing is made in the folder yet.
+    pub fn new(folder: &Path, name: &str, format: SnapshotFormat) -> Self {
+        Self {
             folder: folder.to_owned(),
             name: name.to_owned(),
             format,
             entries: Vec::new(),
-        })
+        }
+    }
+
+    /// The files that a snapshot of a step is written to, relative to the folder: its own, and the
+    /// list.
+    pub fn names(&self, step: u64) -> [String; 2] {
+        let extension = match self.format {
+            SnapshotFormat::Vtu => "vtu",
+            SnapshotFormat::Csv => "csv",
+        };
+        // `/` on every system: what stands in the list is no path of this machine.
+        let file = format!("{SNAPSHOTS}/{}_{step:06}.{extension}", self.name);
+        let list = match self.format {
+            SnapshotFormat::Vtu => format!("{}.pvd", self.name),
+            SnapshotFormat::Csv => "snapshots.csv".to_owned(),
+        };
+        [file, list]
     }
 
     /// Writes a snapshot, then the list. A second snapshot of the same step replaces the first.
@@ -59,13 +71,10 @@ impl SnapshotSeries {
     /// # Errors
     /// Those of [`write_vtu`]. The list then names what was written before.
     pub fn add(&mut self, cloud: &Cloud<'_>, step: u64) -> Result<(), WriteError> {
-        let extension = match self.format {
-            SnapshotFormat::Vtu => "vtu",
-            SnapshotFormat::Csv => "csv",
-        };
-        // `/` on every system: what stands in the list is no path of this machine.
-        let file = format!("{SNAPSHOTS}/{}_{step:06}.{extension}", self.name);
+        let [file, _] = self.names(step);
         let path = self.folder.join(&file);
+        let folder = self.folder.join(SNAPSHOTS);
+        std::fs::create_dir_all(&folder).map_err(|error| WriteError::new(&folder, error))?;
         match self.format {
             SnapshotFormat::Vtu => write_vtu(&path, cloud)?,
             SnapshotFormat::Csv => write_cloud(&path, cloud)?,
@@ -89,10 +98,8 @@ impl SnapshotSeries {
 
     /// The file that lists the snapshots.
     pub fn list(&self) -> PathBuf {
-        self.folder.join(match self.format {
-            SnapshotFormat::Vtu => format!("{}.pvd", self.name),
-            SnapshotFormat::Csv => "snapshots.csv".to_owned(),
-        })
+        let [_, list] = self.names(0);
+        self.folder.join(list)
     }
 
     fn write_list(&self) -> Result<(), WriteError> {
@@ -186,8 +193,7 @@ mod tests {
     #[test]
     fn after_each_snapshot_the_list_names_files_that_exist_and_their_times() {
         let folder = tempfile::tempdir().unwrap();
-        let mut series =
-            SnapshotSeries::new(folder.path(), "a < b & c", SnapshotFormat::Vtu).unwrap();
+        let mut series = SnapshotSeries::new(folder.path(), "a < b & c", SnapshotFormat::Vtu);
         let times = [0.0, 0.1, 0.30000000000000004];
         for count in 1..=times.len() {
             add(&mut series, &times[count - 1..count]);
@@ -210,7 +216,7 @@ mod tests {
     fn a_snapshot_that_fails_leaves_the_list_as_it_was() {
         let folder = tempfile::tempdir().unwrap();
         for format in [SnapshotFormat::Vtu, SnapshotFormat::Csv] {
-            let mut series = SnapshotSeries::new(folder.path(), "run", format).unwrap();
+            let mut series = SnapshotSeries::new(folder.path(), "run", format);
             add(&mut series, &[0.0]);
             let before = std::fs::read_to_string(series.list()).unwrap();
             let broken = Cloud {
@@ -229,7 +235,7 @@ mod tests {
     #[test]
     fn a_step_written_twice_is_listed_once() {
         let folder = tempfile::tempdir().unwrap();
-        let mut series = SnapshotSeries::new(folder.path(), "run", SnapshotFormat::Vtu).unwrap();
+        let mut series = SnapshotSeries::new(folder.path(), "run", SnapshotFormat::Vtu);
         add(&mut series, &[0.0, 0.5, 0.5]);
         let text = std::fs::read_to_string(series.list()).unwrap();
         assert_eq!(attribute(&text, "timestep"), ["0", "0.5"]);
@@ -238,7 +244,7 @@ mod tests {
     #[test]
     fn a_table_holds_every_column_and_the_same_bits() {
         let folder = tempfile::tempdir().unwrap();
-        let mut series = SnapshotSeries::new(folder.path(), "run", SnapshotFormat::Csv).unwrap();
+        let mut series = SnapshotSeries::new(folder.path(), "run", SnapshotFormat::Csv);
         add(&mut series, &[0.0, 0.125]);
         let list = std::fs::read_to_string(folder.path().join("snapshots.csv")).unwrap();
         assert_eq!(

@@ -27,7 +27,10 @@ impl WriteError {
 pub fn writable(folder: &Path) -> Result<(), WriteError> {
     let at = |source| WriteError::new(folder, source);
     std::fs::create_dir_all(folder).map_err(at)?;
-    NamedTempFile::new_in(folder).map_err(at)?;
+    tempfile::Builder::new()
+        .prefix(PREFIX)
+        .tempfile_in(folder)
+        .map_err(at)?;
     Ok(())
 }
 
@@ -90,6 +93,9 @@ impl Rows<'_> {
     }
 }
 
+/// What the names of files begin with that are not whole yet.
+pub(super) const PREFIX: &str = ".motes-";
+
 /// Writes beside `path`, then renames.
 pub(super) fn whole(
     path: &Path,
@@ -102,6 +108,7 @@ pub(super) fn whole(
     let folder = folder.unwrap_or(Path::new("."));
     // Readable by all who may read the folder, as any file a program leaves.
     let mut builder = tempfile::Builder::new();
+    builder.prefix(PREFIX);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;

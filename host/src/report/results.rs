@@ -6,32 +6,32 @@ use miette::Report;
 
 use super::pictures::pictures;
 use crate::experiment::Experiment;
-use crate::io;
+use crate::io::{self, RunFolder};
 
 /// Writes all result files into a folder; the name of the one to open first.
 ///
 /// # Errors
 /// Files that cannot be written.
-pub fn write(out: &Path, experiment: &Experiment) -> Result<&'static str, Report> {
+pub fn write(out: &mut RunFolder, experiment: &Experiment) -> Result<&'static str, Report> {
     let (scenario, simulation) = (&experiment.scenario, &*experiment.simulation);
     let exact = experiment.exact.as_deref();
-    io::write_text(&out.join("scenario.toml"), scenario.text())?;
+    out.write("scenario.toml", scenario.text())?;
     for (_, series) in scenario.driven() {
         // Beside the scenario, so that it can be run again; one in another folder is still there.
         if Path::new(&series.file).file_name() == Some(series.file.as_ref()) {
-            io::write_text(&out.join(&series.file), &series.text)?;
+            out.write(&series.file, &series.text)?;
         }
     }
-    let particles = out.join("particles.csv");
+    let particles = out.place("particles.csv")?;
     io::write_particles(&particles, simulation, &experiment.reconstruction, exact)?;
-    io::write_series(&out.join("series.csv"), &experiment.outcome.series)?;
+    io::write_series(&out.place("series.csv")?, &experiment.outcome.series)?;
     if let Some(probe) = scenario.probe() {
         let values = (probe, &experiment.probe[..]);
-        io::write_probe(&out.join("probe.csv"), values, simulation, exact)?;
+        io::write_probe(&out.place("probe.csv")?, values, simulation, exact)?;
     }
     let pictures = pictures(experiment)?;
     for (name, picture) in &pictures {
-        io::write_text(&out.join(name), picture)?;
+        out.write(name, picture)?;
     }
     // The map where there is one: it says more of a plane than a line does.
     let map = pictures.iter().find(|(name, _)| *name == "map.svg");

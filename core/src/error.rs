@@ -36,6 +36,20 @@ pub enum Quantity {
     Weight,
     /// Strength `q = w u`.
     Strength,
+    /// A sum over pairs.
+    Sum,
+    /// Sums over pairs that make the density.
+    DensitySum,
+    /// Pressure, or what makes it.
+    Pressure,
+    /// Sums over pairs that make gradients.
+    Gradient,
+    /// Rate of the strength.
+    Rate,
+    /// The bound of the stable time step.
+    Stability,
+    /// What is seen behind a wall.
+    Wall,
 }
 
 /// A number that is set from outside, between steps.
@@ -133,6 +147,15 @@ pub enum Error {
         /// Id of the particle.
         particle: u32,
     },
+    /// A bound of what is to be computed is beyond a format that wraps. Nothing has been computed.
+    Unproven {
+        /// Id of the particle that it is largest at.
+        particle: u32,
+        /// Which of its quantities, or of what it takes to make it.
+        quantity: Quantity,
+        /// Integer bits that would do.
+        integer_bits: u8,
+    },
     /// A value that is not finite, or that overflowed where the scalar keeps track of it.
     NotFinite {
         /// Id of the particle.
@@ -165,6 +188,13 @@ impl fmt::Display for Quantity {
             Self::TimeStep => "time step",
             Self::Weight => "weight",
             Self::Strength => "strength",
+            Self::Sum => "the sum over pairs",
+            Self::DensitySum => "the sum for the density",
+            Self::Pressure => "pressure",
+            Self::Gradient => "the sum for the gradient",
+            Self::Rate => "the rate of the strength",
+            Self::Stability => "the bound of the time step",
+            Self::Wall => "the image behind a wall",
         })
     }
 }
@@ -261,6 +291,31 @@ impl fmt::Display for Error {
                 "the internal energy of particle {particle} fell below zero: use a smaller time \
                  step or more particles"
             ),
+            Self::Unproven {
+                particle,
+                quantity,
+                integer_bits,
+            } => {
+                write!(
+                    f,
+                    "{quantity} of particle {particle} may leave the range of the number format: "
+                )?;
+                match integer_bits {
+                    0..=31 => write!(
+                        f,
+                        "a format with {integer_bits} integer bits would do, such as q{integer_bits}.{}",
+                        if *integer_bits <= 23 {
+                            31 - integer_bits
+                        } else {
+                            63 - integer_bits
+                        }
+                    ),
+                    _ => write!(
+                        f,
+                        "not even {integer_bits} integer bits would do; use floats"
+                    ),
+                }
+            }
             Self::NotFinite { particle, quantity } => write!(
                 f,
                 "{quantity} of particle {particle} has left the range of the number format: use a \

@@ -106,6 +106,12 @@ impl Experiment {
             .as_ref()
             .and_then(|exact| errors(&*simulation, exact.as_ref(), window, &reconstruction));
         let mut doubts = simulation.doubts(&outcome);
+        doubts.extend(engine.take_unproven().map(|error| {
+            format!(
+                "{error}; the run went on (--allow-unproven), and numbers may have wrapped without a \
+                 trace: --check-overflow tells"
+            )
+        }));
         doubts.extend(exact.as_ref().and_then(|exact| exact.doubt()));
         if exact.is_some() && errors.is_none() {
             doubts.push("no particle is in output.window: there are no errors to tell".to_owned());

@@ -23,6 +23,7 @@
 
 mod cubic_spline;
 mod named;
+mod peaks;
 mod quintic_spline;
 mod quintic_spline_four;
 mod root_free;
@@ -34,6 +35,7 @@ mod wendland;
 
 pub use cubic_spline::CubicSpline;
 pub use named::Named;
+pub use peaks::Peaks;
 pub use quintic_spline::QuinticSpline;
 pub use quintic_spline_four::QuinticSplineFour;
 pub use root_free::RootFree;

@@ -38,4 +38,10 @@ impl<S: Scalar> EquationOfState<S> for IdealGas<S> {
     fn compressed(&self, densities: [S; 2], energy: S) -> S {
         energy + energy * growth(densities, self.gamma_minus_one)
     }
+
+    fn largest(&self, [_, density]: [f64; 2], energy: f64) -> f64 {
+        let dense = self.gamma_minus_one.to_f64() * density;
+        let sound = self.sound.to_f64() * energy;
+        dense.max(dense * energy).max(sound)
+    }
 }

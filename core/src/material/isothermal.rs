@@ -37,6 +37,10 @@ impl<S: Scalar> EquationOfState<S> for Isothermal<S> {
         energy + self.squared * logarithm(densities)
     }
 
+    fn largest(&self, [_, density]: [f64; 2], _: f64) -> f64 {
+        self.squared.to_f64() * density
+    }
+
     fn feels_energy(&self) -> bool {
         false
     }

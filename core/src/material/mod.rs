@@ -49,6 +49,13 @@ pub trait EquationOfState<S: Scalar>: Copy + Send + Sync {
     fn feels_energy(&self) -> bool {
         true
     }
+    /// A bound of all that the two make on their way, of densities from the first to the second and
+    /// energies up to `energy` in magnitude: what a proof that a format holds them goes by. 0 of a
+    /// law that says nothing.
+    fn largest(&self, densities: [f64; 2], energy: f64) -> f64 {
+        let _ = (densities, energy);
+        0.0
+    }
 }
 
 /// `ln(b/a) = 2 artanh y`, `y = (b-a)/(b+a)`, by its series to `y^13`; exactly opposite for `ln(a/b)`.

@@ -44,6 +44,15 @@ impl<S: Scalar> EquationOfState<S> for Named<S> {
         }
     }
 
+    fn largest(&self, densities: [f64; 2], energy: f64) -> f64 {
+        match self {
+            Self::IdealGas(law) => law.largest(densities, energy),
+            Self::StiffenedGas(law) => law.largest(densities, energy),
+            Self::Isothermal(law) => law.largest(densities, energy),
+            Self::Tait(law) => law.largest(densities, energy),
+        }
+    }
+
     fn feels_energy(&self) -> bool {
         matches!(self, Self::IdealGas(_) | Self::StiffenedGas(_))
     }

@@ -43,4 +43,12 @@ impl<S: Scalar> EquationOfState<S> for StiffenedGas<S> {
         let growth = growth([before, after], self.gamma_minus_one);
         energy + (energy - cold) * growth + (self.stiffness / after - cold)
     }
+
+    fn largest(&self, [least, density]: [f64; 2], energy: f64) -> f64 {
+        let (gamma, stiffness) = (self.gamma.to_f64(), self.stiffness.to_f64());
+        let (warm, stiff) = (self.gamma_minus_one.to_f64() * energy, gamma * stiffness);
+        let dense = self.gamma_minus_one.to_f64() * density;
+        let squared = gamma * (warm + stiff / least).min(S::LARGEST.to_f64());
+        dense.max(density * warm + stiff + stiffness).max(squared)
+    }
 }

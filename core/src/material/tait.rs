@@ -40,6 +40,12 @@ impl<S: Scalar> EquationOfState<S> for Tait<S> {
         self.sound_speed * ratio.powi(self.exponent as usize - 1).sqrt()
     }
 
+    fn largest(&self, [_, density]: [f64; 2], _: f64) -> f64 {
+        let ratio = density * self.inverse_density.to_f64();
+        let power = Scalar::powi(ratio.max(1.0), self.exponent as usize);
+        power.max((power + 1.0) * self.stiffness.to_f64())
+    }
+
     fn feels_energy(&self) -> bool {
         false
     }

@@ -170,6 +170,53 @@ impl<'a, S: Scalar, const D: usize> Cells<'a, S, D> {
             .map_or([0; D], |site| self.grid.coordinates(&site.position))
     }
 
+    /// No receiver has more partners: the most candidates in cells within reach along the last
+    /// direction, images among them, times the rows within reach across it.
+    pub fn most_partners(&self) -> u64 {
+        let grid = &self.grid;
+        let along = D.saturating_sub(1);
+        let (count, window, last) = (grid.count(along), grid.window(along), grid.last(along));
+        let walls = [0, 1].map(|end| grid.is_wall(along, end));
+        let is_periodic = grid.is_periodic(along);
+        let mut most = 0u64;
+        let rows = grid.cells() / u64::from(count.max(1));
+        for row in 0..rows {
+            let base = (row as u32).wrapping_mul(count);
+            let within = |first: u32, last: u32| {
+                let (start, end) = self.span(base.wrapping_add(first), base.wrapping_add(last));
+                u64::from(end.saturating_sub(start))
+            };
+            for c in 0..count {
+                let (below, beyond) = (window.saturating_sub(c), c.saturating_add(window));
+                let above = beyond.saturating_sub(last);
+                let mut partners = within(c.saturating_sub(window), beyond.min(last));
+                if is_periodic && below > 0 {
+                    partners += within(count.saturating_sub(below), last);
+                }
+                if is_periodic && above > 0 {
+                    partners += within(0, above.saturating_sub(1));
+                }
+                if walls[0] && c <= window {
+                    partners += within(0, below.min(last));
+                }
+                if walls[1] && beyond >= last {
+                    partners += within(last.saturating_sub(above), last);
+                }
+                most = most.max(partners);
+            }
+        }
+        for axis in 0..along {
+            // Three rows; at a wall two, and as many images; between two walls three times two.
+            let walls = [0, 1].map(|end| grid.is_wall(axis, end));
+            most = most.saturating_mul(match walls {
+                [false, false] => 3,
+                [true, true] if grid.count(axis) < 3 => 6,
+                _ => 4,
+            });
+        }
+        most
+    }
+
     /// The end of the row that contains `cell`, in sorted order; 0 of a cell that there is not.
     #[inline]
     pub fn row_end(&self, cell: &[u32; D]) -> u32 {

@@ -161,6 +161,14 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
             .any(|axis| axis.sides.contains(&Side::Mirror))
     }
 
+    /// Where the walls are, by direction and end.
+    pub(crate) fn walls(&self) -> [[Option<S>; 2]; D] {
+        self.axes.map(|axis| {
+            let [lower, upper] = axis.sides.map(|side| side == Side::Mirror);
+            [lower.then_some(axis.origin), upper.then_some(axis.end)]
+        })
+    }
+
     /// Whether anything in this cell can have a partner behind a wall.
     #[inline]
     pub(crate) fn near_wall(&self, cell: &[u32; D]) -> bool {

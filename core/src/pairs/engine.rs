@@ -1,6 +1,7 @@
 //! Who carries a law out.
 
 use super::law::{Law, Settled};
+use super::proof::Ground;
 use super::{half, plain};
 use crate::error::Error;
 use crate::neighbours::Cells;
@@ -10,6 +11,29 @@ use crate::scalar::Scalar;
 pub trait Engine<S: Scalar, const D: usize> {
     /// The cloud was sorted anew: anything remembered of the neighbours is void.
     fn sorted(&mut self) {}
+
+    /// Evaluates `law` as [`Engine::sweep`] does, once it is proven that in this format no sum or
+    /// product of it wraps. Floats have nothing to prove.
+    ///
+    /// Error: [`Error::Unproven`], and no sum has been made.
+    fn evaluate<W: Law<S, D>>(
+        &mut self,
+        law: &W,
+        cells: &Cells<'_, S, D>,
+        nodes: &[W::Node],
+        settled: &mut [Settled<W::Node, W::Sums>],
+    ) -> Result<(), Error> {
+        if S::WRAPS {
+            let proven = law.proof(&Ground::of(cells), nodes);
+            proven.or_else(|error| self.unproven(error))?;
+        }
+        self.sweep(law, cells, nodes, settled)
+    }
+
+    /// What becomes of a proof that fails: the error, unless the engine goes on without.
+    fn unproven(&mut self, error: Error) -> Result<(), Error> {
+        Err(error)
+    }
 
     /// Evaluates `law` for every particle; `nodes` and `settled` are in sorted order and as
     /// long as the cloud.

@@ -2,8 +2,10 @@
 
 use crate::cutoff::{CutOff, Needs, Shapes};
 use crate::domain::Wall;
+use crate::error::{Error, Quantity};
 use crate::scalar::{Number, Scalar};
 
+use super::proof::{Ground, by_intervals};
 pub(super) use super::record::Fields;
 
 /// What lies between the particles of a pair.
@@ -48,6 +50,8 @@ pub trait Law<S: Scalar, const D: usize>: Sync {
     type CutOff: CutOff;
     /// What it reads of the cut-off.
     const NEEDS: Needs;
+    /// What its sums are, where a proof of them fails.
+    const MAKES: Quantity = Quantity::Sum;
 
     /// The cut-off.
     fn cut_off(&self) -> Self::CutOff;
@@ -75,6 +79,19 @@ pub trait Law<S: Scalar, const D: usize>: Sync {
     fn close(&self, node: &mut Self::Node, sums: &Self::Sums) -> bool {
         let _ = (node, sums);
         true
+    }
+
+    /// Whether no sum or product of the law over these nodes, in sorted order, leaves the range of
+    /// a format that wraps; asked in such formats alone.
+    ///
+    /// By intervals: as the law stands, [`Law::pair`] is evaluated over all values that the nodes
+    /// and their images have. A law in which that bounds too much, as a speed that is a product
+    /// over a distance, says its bounds itself.
+    fn proof(&self, ground: &Ground<'_, '_, S, D>, nodes: &[Self::Node]) -> Result<(), Error>
+    where
+        Self: Sized,
+    {
+        by_intervals(self, ground, nodes)
     }
 
     /// The mirror image of a node in a wall; where the image is the engine knows.

@@ -14,6 +14,7 @@ mod law;
 mod mirror;
 mod partners;
 mod plain;
+mod proof;
 mod record;
 mod run;
 
@@ -24,4 +25,5 @@ pub use lanes::{Block, Blocks, List, lanes};
 pub use law::{Law, Separation, Settled};
 pub(crate) use partners::{Partner, each_image, each_partner};
 pub use plain::{plain, receive_at};
+pub use proof::{Ground, Largest, by_intervals, by_intervals_of, holds};
 pub use record::{Fields, Nothing};

@@ -17,6 +17,8 @@ pub trait Fields<S: Scalar>: Copy + Send + Sync + 'static {
     fn set_lane<N: Number<Scalar = S>>(of: &mut Self::Of<N>, i: usize, record: &Self);
     /// The record in lane `i`.
     fn lane<N: Number<Scalar = S>>(of: &Self::Of<N>, i: usize) -> Self;
+    /// Visits every number of the record; `self`, whatever it is, tells which record it is.
+    fn each<N: Number<Scalar = S>>(&self, of: &Self::Of<N>, see: &mut dyn FnMut(N));
 
     /// Lane `i` holds the `i`-th record, and 0 beyond the last one.
     #[inline(always)]
@@ -50,6 +52,7 @@ impl<S: Scalar> Fields<S> for Nothing {
     fn lane<N: Number<Scalar = S>>(_: &Self, _: usize) -> Self {
         Self
     }
+    fn each<N: Number<Scalar = S>>(&self, _: &Self, _: &mut dyn FnMut(N)) {}
 }
 
 impl<S: Scalar> Fields<S> for S {
@@ -67,6 +70,9 @@ impl<S: Scalar> Fields<S> for S {
     #[inline(always)]
     fn lane<N: Number<Scalar = S>>(of: &N, i: usize) -> S {
         of.lane(i)
+    }
+    fn each<N: Number<Scalar = S>>(&self, of: &N, see: &mut dyn FnMut(N)) {
+        see(*of);
     }
 }
 
@@ -104,6 +110,11 @@ impl<S: Scalar, F: Fields<S>, const K: usize> Fields<S> for [F; K] {
             record[j] = F::lane::<N>(&of[j], i);
         }
         record
+    }
+    fn each<N: Number<Scalar = S>>(&self, of: &[F::Of<N>; K], see: &mut dyn FnMut(N)) {
+        for (field, of) in self.iter().zip(of) {
+            field.each::<N>(of, see);
+        }
     }
 }
 
@@ -234,6 +245,13 @@ macro_rules! record {
             $name {
                 $($field: $crate::pairs::Fields::<S>::lane::<N>(&of.$field, i),)*
             }
+        }
+        fn each<N: $crate::scalar::Number<Scalar = S>>(
+            &self,
+            of: &Self::Of<N>,
+            see: &mut dyn FnMut(N),
+        ) {
+            $($crate::pairs::Fields::<S>::each::<N>(&self.$field, &of.$field, see);)*
         }
     };
 }

@@ -220,6 +220,7 @@ macro_rules! fixed_point {
             const REACH_LIMIT: Self = Self::from_bits(Self::LIMIT);
             const CELL_LIMIT: u32 = 1 << 30;
             const EXTRAPOLATION: Self = Self::from_bits(1 << (Self::FRACTION - Self::FRACTION / 2));
+            const WRAPS: bool = true;
             const TINIEST: Self = Self::from_bits(1);
             const LARGEST: Self = Self::from_bits(<$int>::MAX);
 

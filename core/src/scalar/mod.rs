@@ -8,6 +8,7 @@ mod checked;
 #[cfg(feature = "fixed")]
 mod fixed_point;
 mod float;
+mod interval;
 mod lanes;
 #[cfg(feature = "micromath")]
 mod micro;
@@ -21,6 +22,7 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 pub use checked::{Checked, CheckedWide};
 #[cfg(feature = "fixed")]
 pub use fixed_point::{Q32, Q64};
+pub use interval::Interval;
 pub use lanes::Lanes;
 #[cfg(feature = "micromath")]
 pub use micro::Micro;
@@ -94,6 +96,9 @@ pub trait Scalar: Number<Scalar = Self> + PartialOrd + Debug + Send + Sync + 'st
     /// not made again: its cube is below the format's rounding, or near it, and its square
     /// (the error of Ω) far below the error of any resolution.
     const EXTRAPOLATION: Self;
+    /// Whether a sum or product beyond the range wraps without a trace: fixed point. What is to be
+    /// believed must then be proven to stay in range, see [`crate::pairs::Engine::evaluate`].
+    const WRAPS: bool = false;
     /// The smallest positive number with all its digits: a divisor in place of 0.
     const TINIEST: Self;
     /// The largest number.

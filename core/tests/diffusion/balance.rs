@@ -95,7 +95,7 @@ fn run<A: VelocityField<f64, D>, const D: usize, const N: usize>(
     let first = state.total()[0];
     let mut time = 0.0;
     for _ in 0..steps {
-        let radius = solver.radius(&state, &work);
+        let radius = solver.radius(&state, &work).unwrap();
         let reach = method.map_or(Rkl2::with_stages(7).reach(), |method| method.real);
         let dt = solver.time_step(radius, reach, 1.0).unwrap();
         let step = (time, dt);

@@ -102,7 +102,7 @@ where
     let mut clock = Clock::new(end);
     let mut sides = 0;
     while let Some(left) = clock.left() {
-        let radius = solver.radius(state, work);
+        let radius = solver.radius(state, work).unwrap();
         let dt = solver
             .time_step(radius, S::from_f64(method.real), left)
             .unwrap();

@@ -107,7 +107,7 @@ fn layered_error(mean: Mean) -> f64 {
     let dt = 50.0;
     for i in 0..200 {
         let time = f64::from(i) * dt;
-        let method = Rkl2::for_product(dt * solver.radius(&state, &work));
+        let method = Rkl2::for_product(dt * solver.radius(&state, &work).unwrap());
         solver
             .advance_split(method, engine, &mut state, &mut work, (time, dt))
             .unwrap();
@@ -180,13 +180,13 @@ fn the_bound_of_the_step_is_that_of_the_largest_diffusivity() {
         let (mut state, mut work) = storage.parts();
         let engine = &mut HalfLoop;
         solver.prepare(engine, &mut state, &mut work).unwrap();
-        let first = solver.radius(&state, &work);
+        let first = solver.radius(&state, &work).unwrap();
         for i in 0..20 {
             let step = (0.1 * f64::from(i), 0.1);
             solver
                 .advance_split(Rkl2::with_stages(5), engine, &mut state, &mut work, step)
                 .unwrap();
-            let radius = solver.radius(&state, &work);
+            let radius = solver.radius(&state, &work).unwrap();
             assert!(
                 (radius / first - 1.0).abs() < 1e-12,
                 "{form:?}, step {i}: {radius}, {first} at the start"

@@ -109,7 +109,7 @@ fn walls_that_exchange_only_take() {
             let (mut before, mut time) = (sum(&state), 0.0);
             let first = before;
             for i in 0..400 {
-                let radius = solver.radius(&state, &work);
+                let radius = solver.radius(&state, &work).unwrap();
                 let dt = solver.time_step(radius, SSP_RK3.real, 1e9).unwrap();
                 let step = (time, dt);
                 solver

@@ -86,6 +86,10 @@ pub(super) struct RunArguments {
     /// digits, about five times slower
     #[arg(long)]
     pub check_overflow: bool,
+    /// Fixed point: go on, with a warning, where sums cannot be proven to stay in the range of the
+    /// format
+    #[arg(long)]
+    pub allow_unproven: bool,
 }
 
 const SUITE_EXAMPLES: &str = "\

@@ -38,6 +38,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         .wrap_err("this scenario has no exact solution: remove output.exact")
         .map_err(Failure::Input)?;
     let mut engine = Threads::new(arguments.threads).map_err(Failure::input)?;
+    engine.allow_unproven(arguments.allow_unproven);
     let out = arguments.out.clone();
     let out = out.unwrap_or_else(|| Path::new("out").join(scenario.name()));
     // Now rather than after the run: a folder that cannot be had costs no time.

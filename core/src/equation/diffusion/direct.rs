@@ -2,7 +2,9 @@
 
 use crate::cutoff::{CutOff, Needs, Parts, Shapes, Widths};
 use crate::domain::Wall;
-use crate::pairs::{Law, Separation};
+use crate::error::{Error, Quantity};
+use crate::numbered::numbered;
+use crate::pairs::{Ground, Largest, Law, Separation};
 use crate::scalar::{Number, Scalar};
 
 use super::mean::Mean;
@@ -96,6 +98,7 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Direct<
         widths: Widths::Equal,
         distance: false,
     };
+    const MAKES: Quantity = Quantity::Rate;
 
     fn cut_off(&self) -> C {
         self.cut_off
@@ -130,6 +133,48 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Direct<
         to_k.partners += apart.zeta.k.within;
         to_l.partners += apart.zeta.k.within;
     }
+}
+
+/// Whether what is seen behind the walls stays in the range of the format.
+pub(super) fn prove_walls<S: Scalar, const D: usize, const P: usize>(
+    walls: &Walls<S, D, P>,
+    ground: &Ground<'_, '_, S, D>,
+    nodes: &[DiffusionNode<S, D, P>],
+) -> Result<(), Error> {
+    let grid = ground.cells.grid();
+    if !grid.has_walls() {
+        return Ok(());
+    }
+    for j in 0..P {
+        let (mut value, mut least, mut most) = (Largest::default(), S::LARGEST, S::ZERO);
+        let (mut low, mut high) = ((S::ZERO, 0), (S::ZERO, 0));
+        for (place, node) in numbered(nodes) {
+            let (u, b) = (node.value[j], node.diffusivity[j]);
+            if u < low.0 {
+                low = (u, place);
+            }
+            if u > high.0 {
+                high = (u, place);
+            }
+            most = most.greater(b);
+            if b > S::ZERO {
+                least = least.lesser(b);
+            }
+        }
+        value.see(low.1, -low.0.to_f64());
+        value.see(high.1, high.0.to_f64());
+        let conductors = [least.to_f64(), most.to_f64()];
+        for (axis, ends) in numbered(grid.walls()) {
+            for (end, wall) in numbered(ends) {
+                let condition = walls.get(axis).and_then(|ends| ends.get(end));
+                if let (Some(_), Some(conditions)) = (wall, condition) {
+                    let bound = conditions[j].largest(value.bound, conductors, ground.reach);
+                    ground.holds(Quantity::Wall, Largest { bound, ..value })?;
+                }
+            }
+        }
+    }
+    Ok(())
 }
 
 /// A node as it is seen behind a wall.

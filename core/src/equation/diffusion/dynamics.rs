@@ -9,6 +9,7 @@ use crate::domain::Domain;
 use crate::equation::check_courant;
 use crate::error::{Error, Quantity};
 use crate::numbered::numbered;
+use crate::pairs::holds;
 use crate::scalar::Scalar;
 
 /// Which form.
@@ -56,13 +57,24 @@ where
     /// Direct form: Gershgorin's circles, `2 max_k Σ_(l≠k) w_l (b_k + b_l) |bracket_kl|`. Mixed
     /// form: `max b (κ/ε)²`, `κ = ∫ |∂_1 ζ| dx`, times the trace of the tensor, and what walls
     /// exchange. Times what `b` may yet grow by; to it comes the bound of the reactions.
-    pub fn radius(&self, state: &State<'_, S, D, P>, work: &DiffusionWorkspace<'_, S, D, P>) -> S {
+    ///
+    /// Error: a bound that the format does not hold. One that had wrapped would bound nothing.
+    pub fn radius(
+        &self,
+        state: &State<'_, S, D, P>,
+        work: &DiffusionWorkspace<'_, S, D, P>,
+    ) -> Result<S, Error> {
         let n = state.len();
+        let mut particle = 0;
         let largest = match self.form {
             Form::Direct => {
                 let sums = work.sums.get(..n).unwrap_or(&[]);
                 let circles = sums.iter().map(|settled| settled.sums.radius);
-                let widest = circles.reduce(Scalar::greater).unwrap_or(S::ZERO);
+                let widest = numbered(circles).reduce(|a, b| if b.1 > a.1 { b } else { a });
+                let (place, widest) = widest.unwrap_or((0, S::ZERO));
+                particle = work.cells.order.get(place).copied().unwrap_or(0);
+                let bound = 2.0 * widest.to_f64();
+                holds::<S>(Quantity::Stability, particle, bound)?;
                 widest + widest
             }
             Form::Mixed => {
@@ -83,11 +95,30 @@ where
                     exchanged = sums.into_iter().fold(exchanged, Scalar::greater);
                 }
                 let kappa = kappa * work.ledger.conduction;
-                conductor * (kappa * kappa) * self.stretch() + exchanged
+                let squared = kappa.to_f64() * kappa.to_f64();
+                let stretch = self.stretch();
+                let bound = conductor.to_f64() * squared * stretch.to_f64().max(1.0);
+                let bound = bound + exchanged.to_f64();
+                holds::<S>(Quantity::Stability, particle, bound)?;
+                conductor * (kappa * kappa) * stretch + exchanged
             }
         };
-        let largest = largest * self.problem.headroom(*work.time);
-        largest / self.epsilon / self.epsilon + self.problem.reaction_rate()
+        let headroom = self.problem.headroom(*work.time);
+        let bound = largest.to_f64() * headroom.to_f64();
+        holds::<S>(Quantity::Stability, particle, bound)?;
+        let largest = largest * headroom;
+        let (pairs, reactions) = (
+            largest / self.epsilon / self.epsilon,
+            self.problem.reaction_rate(),
+        );
+        let bound = pairs.to_f64() + reactions.to_f64();
+        holds::<S>(Quantity::Stability, particle, bound)?;
+        let radius = pairs + reactions;
+        match radius < S::ZERO {
+            // A sum of circles that has wrapped all the same.
+            true => holds::<S>(Quantity::Stability, particle, f64::INFINITY).map(|()| radius),
+            false => Ok(radius),
+        }
     }
 
     /// A bound of the eigenvalues of the tensor: its trace.

@@ -22,7 +22,9 @@ impl Mean {
         match self {
             Self::Arithmetic => sum,
             Self::Harmonic => {
+                // At most 1, also where it is bounded for all `k` and `l` at once.
                 let part = k.max(l) / sum.max(N::splat(N::Scalar::TINIEST));
+                let part = part.min(N::literal(1.0));
                 let product = k.min(l) * part;
                 (product + product) + (product + product)
             }

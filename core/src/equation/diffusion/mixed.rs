@@ -2,12 +2,13 @@
 
 use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
+use crate::error::{Error, Quantity};
 use crate::numbered::numbered;
-use crate::pairs::{Law, Separation};
+use crate::pairs::{Ground, Law, Separation, by_intervals};
 use crate::record;
 use crate::scalar::{Number, Scalar};
 
-use super::direct::imaged;
+use super::direct::{imaged, prove_walls};
 use super::node::{DiffusionNode, DiffusionSums};
 use super::passage::{Walls, end_of};
 use super::wall::Condition;
@@ -71,6 +72,7 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Flux<S,
         widths: Widths::Equal,
         distance: false,
     };
+    const MAKES: Quantity = Quantity::Rate;
 
     fn cut_off(&self) -> C {
         self.cut_off
@@ -105,6 +107,11 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Flux<S,
         to_l.partners += near;
     }
 
+    fn proof(&self, ground: &Ground<'_, '_, S, D>, nodes: &[Self::Node]) -> Result<(), Error> {
+        prove_walls(&self.walls, ground, nodes)?;
+        by_intervals(self, ground, nodes)
+    }
+
     fn reflected(&self, node: &DiffusionNode<S, D, P>, wall: &Wall<S>) -> DiffusionNode<S, D, P> {
         imaged(node, wall, &self.walls)
     }
@@ -119,6 +126,7 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Diverge
         widths: Widths::Equal,
         distance: false,
     };
+    const MAKES: Quantity = Quantity::Rate;
 
     fn cut_off(&self) -> C {
         self.0.cut_off

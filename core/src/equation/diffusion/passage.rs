@@ -15,9 +15,10 @@ use super::wall::Condition;
 use crate::cloud::{Register, VelocityField};
 use crate::cutoff::CutOff;
 use crate::domain::{Side, Wall};
+use crate::error::Error;
 use crate::neighbours::{Cells, Image, code};
 use crate::numbered::numbered;
-use crate::pairs::{Law, Partner, each_image, each_partner};
+use crate::pairs::{Engine, Ground, Law, Partner, each_image, each_partner};
 use crate::scalar::Scalar;
 
 /// The conditions at all walls, by direction, end and species.
@@ -186,6 +187,25 @@ where
         } else {
             S::ONE
         }
+    }
+
+    /// Asks a proof that what passes through walls stays in the range of a format that wraps, as sums
+    /// over pairs do; shares of walls count as more partners.
+    pub(super) fn prove_passage<W: Law<S, D>>(
+        &self,
+        engine: &mut impl Engine<S, D>,
+        (cells, nodes): (&Cells<'_, S, D>, &[W::Node]),
+        ledger: &Ledger<S, D, P>,
+        proof: impl Fn(&Ground<'_, '_, S, D>, &[W::Node]) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        if !S::WRAPS || !cells.grid().has_walls() {
+            return Ok(());
+        }
+        let shares = ledger.shares.iter().flatten();
+        let largest = |most: S, share: &Share<S>| most.greater(share.pairs).greater(share.own);
+        let mut ground = Ground::of(cells);
+        ground.partners *= shares.fold(S::ONE, largest).to_f64();
+        proof(&ground, nodes).or_else(|error| engine.unproven(error))
     }
 
     /// Adds what passes through walls under the direct form.

@@ -1,6 +1,6 @@
 //! The right-hand sides of (4.3) or (4.6) for a whole cloud.
 
-use super::direct::Direct;
+use super::direct::{Direct, imaged, prove_walls};
 use super::dynamics::{DiffusionDynamics, Form};
 use super::ledger::{Ledger, Share};
 use super::mixed::{Divergence, Flux, MixedNode};
@@ -15,7 +15,7 @@ use crate::domain::Side;
 use crate::error::Error;
 use crate::neighbours::sort;
 use crate::numbered::numbered;
-use crate::pairs::Engine;
+use crate::pairs::{Engine, by_intervals_of};
 use crate::scalar::Scalar;
 
 impl<S, C, B, A, const D: usize, const P: usize> DiffusionDynamics<S, C, B, A, D, P>
@@ -88,7 +88,19 @@ where
         match self.form {
             Form::Direct => {
                 let law = self.direct(ledger.conduction);
-                engine.sweep(&law, &cells, nodes, sums)?;
+                let walls = self.walls(time);
+                self.prove_passage::<Direct<S, C, D, P>>(
+                    engine,
+                    (&cells, nodes),
+                    ledger,
+                    |ground, nodes| {
+                        prove_walls(&walls, ground, nodes)?;
+                        by_intervals_of(&law, ground, nodes, |node, wall| {
+                            imaged(node, wall, &walls)
+                        })
+                    },
+                )?;
+                engine.evaluate(&law, &cells, nodes, sums)?;
                 self.join(&law, &cells, nodes, sums, time);
                 let own = law.own_radius();
                 for (settled, &id) in sums.iter_mut().zip(cells.order()) {
@@ -104,7 +116,7 @@ where
                     return Err(Error::Lengths);
                 };
                 let laws = self.law(time, ledger.conduction);
-                engine.sweep(&laws, &cells, nodes, fluxes)?;
+                engine.evaluate(&laws, &cells, nodes, fluxes)?;
                 let (Some(shown), Some(sums)) =
                     (work.mixed.nodes.get_mut(..n), work.mixed.sums.get_mut(..n))
                 else {
@@ -123,7 +135,18 @@ where
                     *shown = MixedNode { node, flux };
                 }
                 let law = Divergence(laws);
-                engine.sweep(&law, &cells, shown, sums)?;
+                let walls = self.walls(time);
+                self.prove_passage::<Divergence<S, C, D, P>>(
+                    engine,
+                    (&cells, shown),
+                    ledger,
+                    |ground, nodes| {
+                        by_intervals_of(&law, ground, nodes, |node, wall| {
+                            law.behind(node, wall, &walls)
+                        })
+                    },
+                )?;
+                engine.evaluate(&law, &cells, shown, sums)?;
                 let rows = sums.iter().zip(fluxes.iter()).zip(cells.order());
                 for ((settled, first), &id) in rows {
                     let (rate, partners) = (settled.sums.rate, first.sums.partners);

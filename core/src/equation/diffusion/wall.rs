@@ -68,6 +68,25 @@ impl<S: Scalar> Condition<S> {
         }
     }
 
+    /// A bound of all that [`Condition::at_wall`] makes on its way and of the image, for `|u|` and
+    /// `b` of those sizes and distances up to `reach`; of `b` the smallest above 0 comes first.
+    pub(super) fn largest(&self, u: f64, [least, b]: [f64; 2], reach: f64) -> f64 {
+        match *self {
+            Self::NoFlux => 3.0 * u,
+            Self::Value(value) => 2.0 * value.to_f64().abs() + u,
+            Self::Flux(flux) => {
+                // The quotient saturates.
+                let depth = (reach / least).min(S::LARGEST.to_f64());
+                2.0 * flux.to_f64().abs() * depth + 3.0 * u
+            }
+            Self::Exchange { rate, outside } => {
+                let (conductance, outside) = (rate.to_f64() * reach, outside.to_f64().abs());
+                let weighed = b * u + conductance * outside;
+                weighed.max(b + conductance).max(2.0 * outside + 3.0 * u)
+            }
+        }
+    }
+
     /// `u` of the mirror image: on the same straight line, `2 u_wall - u`.
     ///
     /// Exact for a linear `u`. For a curved one off by O(d²) with a value, and by O(d³) with a

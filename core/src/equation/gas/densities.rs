@@ -57,7 +57,7 @@ where
                     *node = law.node(self.measure(row.mass), *row.epsilon);
                 }
             }
-            engine.sweep(&law, &cells, nodes, settled)?;
+            engine.evaluate(&law, &cells, nodes, settled)?;
             if self.accept(
                 gas,
                 &cells,

@@ -19,9 +19,12 @@
 //! iterates on its own, so the bits do not depend on who shares its loop.
 
 use crate::cutoff::{CutOff, Needs, Parts, Shape, Widths};
-use crate::pairs::{Law, Separation};
+use crate::error::Error;
+use crate::pairs::{Ground, Law, Separation};
 use crate::record;
 use crate::scalar::{Number, Scalar};
+
+use super::proof;
 
 /// How wide the cut-off of a particle is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -234,6 +237,10 @@ impl<S: Scalar, C: CutOff, const D: usize> Law<S, D> for Density<S, C, D> {
         let (zeta, squared) = (&apart.zeta, apart.distance_squared);
         Self::term(&zeta.k, l.measure, squared, to_k);
         Self::term(&zeta.l, k.measure, squared, to_l);
+    }
+
+    fn proof(&self, ground: &Ground<'_, '_, S, D>, nodes: &[Self::Node]) -> Result<(), Error> {
+        proof::density(self.cut_off, ground, nodes)
     }
 
     fn close(&self, node: &mut DensityNode<S, D>, sums: &DensitySums<S, D>) -> bool {

@@ -16,7 +16,8 @@
 
 use crate::cutoff::{CutOff, Needs};
 use crate::domain::Wall;
-use crate::pairs::{Law, Separation};
+use crate::error::Error;
+use crate::pairs::{Ground, Law, Separation};
 use crate::record;
 use crate::scalar::{Number, Scalar};
 
@@ -220,6 +221,14 @@ macro_rules! law_of_energy {
                 let $of = self.0.exchanged($k, $l, apart);
                 let $r = &apart.r;
                 $pair
+            }
+
+            fn proof(
+                &self,
+                ground: &Ground<'_, '_, S, D>,
+                nodes: &[Self::Node],
+            ) -> Result<(), Error> {
+                self.0.prove(ground, nodes, 1.0)
             }
 
             fn reflected(&self, node: &Self::Node, wall: &Wall<S>) -> Self::Node {

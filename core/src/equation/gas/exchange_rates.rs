@@ -69,7 +69,9 @@ impl<S: Scalar, const D: usize> Physics<S, D> for Options<S, D> {
         let law = Gradient {
             cut_off: solver.cut_off,
         };
-        cloud.engine.sweep(&law, &cloud.cells, shown, gradients)?;
+        cloud
+            .engine
+            .evaluate(&law, &cloud.cells, shown, gradients)?;
         solver.switch(cloud, nodes, gradients);
         Ok(())
     }
@@ -97,12 +99,12 @@ impl<S: Scalar, const D: usize> Physics<S, D> for Options<S, D> {
             EnergyForm::LeapFrog => {}
             EnergyForm::Exact => {
                 let law = Work(solver.motion());
-                cloud.engine.sweep(&law, &cloud.cells, nodes, rates)?;
+                cloud.engine.evaluate(&law, &cloud.cells, nodes, rates)?;
                 solver.close_work(cloud, rates);
             }
             EnergyForm::Total => {
                 let law = EnergyFlow(solver.motion());
-                cloud.engine.sweep(&law, &cloud.cells, nodes, rates)?;
+                cloud.engine.evaluate(&law, &cloud.cells, nodes, rates)?;
                 solver.close_flow(cloud, rates);
             }
         }

@@ -9,9 +9,12 @@
 
 use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
-use crate::pairs::{Law, Separation};
+use crate::error::Error;
+use crate::pairs::{Ground, Law, Separation};
 use crate::record;
 use crate::scalar::{Number, Scalar};
+
+use super::proof;
 
 record! {
     /// What a particle shows.
@@ -90,6 +93,10 @@ impl<S: Scalar, C: CutOff, const D: usize> Law<S, D> for Gradient<C> {
                 to_l.velocity[i][j] -= f_l * ur;
             }
         }
+    }
+
+    fn proof(&self, ground: &Ground<'_, '_, S, D>, nodes: &[Self::Node]) -> Result<(), Error> {
+        proof::gradient(self.cut_off, ground, nodes)
     }
 
     fn reflected(&self, node: &GradientNode<S, D>, wall: &Wall<S>) -> GradientNode<S, D> {

@@ -47,6 +47,7 @@ where
         work: &mut Workspace<'_, S, P::Shown, D>,
         dt: S,
     ) -> Result<(), Error> {
+        self.proven(engine, || self.prove_drift(gas, dt))?;
         self.drift(gas, dt)?;
         self.rates(engine, gas, work, dt)
     }

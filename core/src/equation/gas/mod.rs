@@ -27,6 +27,7 @@ mod node;
 pub mod open;
 pub mod options;
 mod physics;
+mod proof;
 mod rates;
 pub mod state;
 mod storage;

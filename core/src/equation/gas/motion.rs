@@ -9,7 +9,8 @@
 
 use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
-use crate::pairs::{Law, Separation};
+use crate::error::Error;
+use crate::pairs::{Ground, Law, Separation};
 use crate::scalar::{Number, Scalar};
 
 use super::terms::{Between, NodeOf, NodeOver, Terms};
@@ -147,6 +148,10 @@ where
         to_l.approach = to_l.approach.max(closing);
         to_k.stiffest = to_k.stiffest.max(l.stiffness * near);
         to_l.stiffest = to_l.stiffest.max(k.stiffness * near);
+    }
+
+    fn proof(&self, ground: &Ground<'_, '_, S, D>, nodes: &[Self::Node]) -> Result<(), Error> {
+        self.prove(ground, nodes, 0.0)
     }
 
     fn reflected(&self, node: &Self::Node, wall: &Wall<S>) -> Self::Node {

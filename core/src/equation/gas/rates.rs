@@ -41,6 +41,7 @@ where
         dt: S,
     ) -> Result<(), Error> {
         let grid = self.densities(engine, gas, work, dt)?;
+        self.proven(engine, || self.prove_state(gas, dt))?;
         self.motion_rates(engine, gas, work, grid, dt)
     }
 
@@ -75,10 +76,10 @@ where
         let law = self.motion();
         if self.viscosity.needs_divergence() {
             // The sum of (3.12) holds div u; the pressures play no part in it.
-            cloud.engine.sweep(&law, &cells, nodes, rates)?;
+            cloud.engine.evaluate(&law, &cells, nodes, rates)?;
             self.add_pressures(nodes, rates, densities.iter().map(|settled| &settled.node));
         }
-        cloud.engine.sweep(&law, &cells, nodes, rates)?;
+        cloud.engine.evaluate(&law, &cells, nodes, rates)?;
         let settled = densities.iter().map(|settled| &settled.node);
         self.close_motion(cloud.gas, &cells, rates, settled, dt);
         P::close_energy(self, &mut cloud, nodes, rates)?;

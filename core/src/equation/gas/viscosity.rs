@@ -57,6 +57,12 @@ pub trait Viscosity<S: Scalar>: Copy + Send + Sync {
     /// The signal speed that bounds the time step: `(1 + 0.6 α) c + 0.6 β s`, `s` the
     /// fastest approach of a partner (after Monaghan, ARA&A 30, 543, 1992, eq. 10.2).
     fn signal(&self, sound_speed: S, approach: S) -> S;
+    /// A bound of all that `signal` and `pair` make on their way for speeds up to `speed` and sound
+    /// speeds up to `sound_speed`, but for the quotients over densities.
+    fn largest(&self, speed: f64, sound_speed: f64) -> f64 {
+        let _ = (speed, sound_speed);
+        0.0
+    }
 }
 
 /// The coefficients that all of them share.
@@ -75,6 +81,13 @@ impl<S: Scalar> Coefficients<S> {
             alpha: S::ONE,
             beta: S::count(2),
         }
+    }
+
+    /// A bound of the bracket times `s`, and of the signal speed.
+    fn largest(&self, s: f64, sound_speed: f64) -> f64 {
+        let (alpha, beta) = (self.alpha.to_f64().abs(), self.beta.to_f64().abs());
+        let bracket = 2.0 * alpha * sound_speed + 2.0 * beta * s;
+        bracket.max(bracket * s).max(sound_speed + bracket)
     }
 
     fn signal(&self, sound_speed: S, approach: S) -> S {
@@ -99,6 +112,9 @@ impl<S: Scalar> Viscosity<S> for VonNeumann<S> {
     fn signal(&self, sound_speed: S, approach: S) -> S {
         self.0.signal(sound_speed, approach)
     }
+    fn largest(&self, speed: f64, sound_speed: f64) -> f64 {
+        self.0.largest(speed, sound_speed)
+    }
 }
 
 /// `μ = ε s|r|/(r² + 0.01 ε²)`, `s` the speed along the line of centres where the pair
@@ -121,6 +137,10 @@ impl<S: Scalar> Viscosity<S> for GingoldMonaghan<S> {
     fn signal(&self, sound_speed: S, approach: S) -> S {
         self.0.signal(sound_speed, approach)
     }
+    fn largest(&self, speed: f64, sound_speed: f64) -> f64 {
+        // `|μ| <= 5 |s|`, where `|r| = ε/10`.
+        self.0.largest(5.0 * speed, sound_speed)
+    }
 }
 
 /// `Π = -(α (c_k+c_l)/2 - β s/2) s / ((ρ_k+ρ_l)/2)`, `s = (u_k-u_l)·r/|r| < 0`: the operator
@@ -139,6 +159,9 @@ impl<S: Scalar> Viscosity<S> for Pairwise<S> {
     }
     fn signal(&self, sound_speed: S, approach: S) -> S {
         self.0.signal(sound_speed, approach)
+    }
+    fn largest(&self, speed: f64, sound_speed: f64) -> f64 {
+        self.0.largest(speed, sound_speed)
     }
 }
 
@@ -189,6 +212,14 @@ impl<S: Scalar> Viscosity<S> for Named<S> {
             | Self::GingoldMonaghan(GingoldMonaghan(c))
             | Self::Pairwise(Pairwise(c)) => c.signal(sound_speed, approach),
             Self::Inviscid => sound_speed,
+        }
+    }
+    fn largest(&self, speed: f64, sound_speed: f64) -> f64 {
+        match self {
+            Self::VonNeumann(viscosity) => viscosity.largest(speed, sound_speed),
+            Self::GingoldMonaghan(viscosity) => viscosity.largest(speed, sound_speed),
+            Self::Pairwise(viscosity) => viscosity.largest(speed, sound_speed),
+            Self::Inviscid => 0.0,
         }
     }
 }

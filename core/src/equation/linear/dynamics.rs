@@ -4,6 +4,7 @@ use crate::cutoff::{CutOff, slope};
 use crate::domain::Domain;
 use crate::equation::check_courant;
 use crate::error::{Error, Quantity};
+use crate::pairs::holds;
 use crate::scalar::Scalar;
 
 use super::system::FirstOrderSystem;
@@ -71,12 +72,14 @@ where
     /// `Λ = κ ρ/ε + |A⁰|` bounds the spectral radius of the right-hand side of (1.18): on a dense
     /// cloud a wave of wave vector `ξ` sees `Σ_i B^i i ξ_i ζ̂(εξ)`, of radius at most `ρ(B) κ/ε`,
     /// `ρ(B) <= |v - a| + ` the wave speed of the coupling.
+    ///
+    /// Error: a bound that the format does not hold.
     pub fn stable_step(
         &self,
         state: &State<'_, S, D, P>,
         time: S,
         stability: Stability,
-    ) -> Option<S> {
+    ) -> Result<Option<S>, Error> {
         let mut fastest = S::ZERO;
         for &position in state.position.iter() {
             let place = Place { position, time };
@@ -85,13 +88,17 @@ where
             let drift = S::length_squared(&drift).sqrt();
             fastest = fastest.greater(coupling + drift);
         }
-        let radius = (self.slope * fastest) / self.epsilon + self.system.damping();
+        let damping = self.system.damping();
+        let bound = self.slope.to_f64() * fastest.to_f64();
+        let bound = bound.max(bound / self.epsilon.to_f64() + damping.to_f64());
+        holds::<S>(Quantity::Stability, 0, bound)?;
+        let radius = (self.slope * fastest) / self.epsilon + damping;
         let limit = S::from_f64(if stability.imaginary < stability.real {
             stability.imaginary
         } else {
             stability.real
         });
-        (radius > S::ZERO).then(|| limit / radius)
+        Ok((radius > S::ZERO).then(|| limit / radius))
     }
 
     /// The step to make: [`LinearDynamics::courant`] times the stable one, at most an eighth of
@@ -105,7 +112,7 @@ where
     ) -> Result<S, Error> {
         check_courant(self.courant)?;
         let mut step = longest;
-        if let Some(stable) = self.stable_step(state, time, stability) {
+        if let Some(stable) = self.stable_step(state, time, stability)? {
             step = step.lesser(self.courant * stable);
         }
         let gradient = self.field.gradient();

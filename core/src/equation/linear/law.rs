@@ -2,6 +2,7 @@
 
 use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
+use crate::error::Quantity;
 use crate::pairs::{Fields, Law, Separation};
 use crate::record;
 use crate::scalar::{Number, Scalar};
@@ -80,6 +81,7 @@ where
         widths: Widths::Equal,
         distance: false,
     };
+    const MAKES: Quantity = Quantity::Rate;
 
     fn cut_off(&self) -> C {
         self.cut_off

@@ -153,7 +153,7 @@ where
             return Ok(());
         }
         let law = Coupling::new::<D>(&self.system, self.cut_off, self.epsilon);
-        engine.sweep(&law, &cells, nodes, sums)?;
+        engine.evaluate(&law, &cells, nodes, sums)?;
         for (settled, &id) in sums.iter().zip(cells.order()) {
             if let Some(neighbours) = state.neighbours.get_mut(id as usize) {
                 *neighbours = settled.sums.partners - S::ONE;

@@ -66,7 +66,7 @@ where
         _: S,
         longest: S,
     ) -> Result<S, Error> {
-        let radius = self.radius(&parts.state, &parts.work);
+        let radius = self.radius(&parts.state, &parts.work)?;
         let reach = match method.scheme {
             Scheme::RungeKutta(method) => S::from_f64(method.real),
             Scheme::Stabilised(stages) => Rkl2::with_stages(stages).reach(),
@@ -103,7 +103,7 @@ where
         step: Step<S>,
     ) -> Result<u32, Error> {
         let Step { time, dt } = step;
-        let radius = self.radius(&parts.state, &parts.work);
+        let radius = self.radius(&parts.state, &parts.work)?;
         let (state, work) = (&mut parts.state, &mut parts.work);
         match &method.scheme {
             Scheme::RungeKutta(method) => {

@@ -382,7 +382,10 @@ fn the_stable_step_is_stable_and_not_idle() {
                 state.value.iter().flatten().map(|u| u * u).sum()
             };
             let before = energy(&state);
-            let limit = solver.stable_step(&state, 0.0, method.stability()).unwrap();
+            let limit = solver
+                .stable_step(&state, 0.0, method.stability())
+                .unwrap()
+                .unwrap();
             for _ in 0..200 {
                 let step = (0.0, factor * limit);
                 solver

@@ -36,6 +36,10 @@ pub struct Threads {
     served: u64,
     /// Whether to stop, where somebody may say so.
     stop: Option<Arc<AtomicBool>>,
+    /// Whether what cannot be proven to stay in the range of its format is computed all the same.
+    is_unproven_allowed: bool,
+    /// The first of it.
+    unproven: Option<Error>,
 }
 
 /// Who keeps a sorted cloud between calls. The engine's neighbour lists are those of one cloud:
@@ -98,6 +102,8 @@ impl Threads {
             fresh: true,
             served: 0,
             stop: None,
+            is_unproven_allowed: false,
+            unproven: None,
         })
     }
 
@@ -105,6 +111,17 @@ impl Threads {
     /// ([`Error::Interrupted`]): a step of many particles takes long.
     pub fn stop_on(&mut self, flag: Arc<AtomicBool>) {
         self.stop = Some(flag);
+    }
+
+    /// Whether to go on where in fixed point a sum cannot be proven to stay in the range of its
+    /// format ([`Error::Unproven`]); at first it is not.
+    pub fn allow_unproven(&mut self, is_allowed: bool) {
+        self.is_unproven_allowed = is_allowed;
+    }
+
+    /// The first proof that failed where the engine went on all the same; forgets it.
+    pub fn take_unproven(&mut self) -> Option<Error> {
+        self.unproven.take()
     }
 
     /// Forgets the neighbour lists if they are those of another cloud.
@@ -138,6 +155,14 @@ impl Threads {
 impl<S: HostScalar, const D: usize> Engine<S, D> for Threads {
     fn sorted(&mut self) {
         self.fresh = true;
+    }
+
+    fn unproven(&mut self, error: Error) -> Result<(), Error> {
+        if !self.is_unproven_allowed {
+            return Err(error);
+        }
+        self.unproven.get_or_insert(error);
+        Ok(())
     }
 
     fn sweep<W: Law<S, D>>(

@@ -15,6 +15,20 @@ pub enum RunError {
         /// Why.
         error: Error,
     },
+    /// In fixed point what comes next cannot be proven to stay in the range of the format.
+    #[error("at t = {time}, step {step}: {error}")]
+    #[diagnostic(help(
+        "the bound is one of all particles and may be far above what would come: --check-overflow \
+         looks at every operation, five times slower; --allow-unproven goes on and warns"
+    ))]
+    Unproven {
+        /// When, in the scenario's units.
+        time: f64,
+        /// In which step.
+        step: u64,
+        /// Of what.
+        error: Error,
+    },
     /// The solver cannot begin.
     #[error("at t = 0, before the first step: {}", facts(error))]
     #[diagnostic(help("{}", cure_of_start(error)))]
@@ -181,6 +195,7 @@ impl RunError {
     pub(crate) fn solver(time: f64, step: u64, error: Error) -> Self {
         match error {
             Error::Interrupted => Self::Interrupted { time, step },
+            Error::Unproven { .. } => Self::Unproven { time, step, error },
             error => Self::Solver { time, step, error },
         }
     }

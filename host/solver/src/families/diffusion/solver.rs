@@ -120,10 +120,10 @@ impl<S: HostScalar, const D: usize, const P: usize> Solver<S, D, P> for Diffusio
         self.dynamics().prepare(engine, &mut state, &mut work)
     }
 
-    fn stable_step(&self, memory: &mut Self::Memory, _: S) -> Option<S> {
+    fn stable_step(&self, memory: &mut Self::Memory, _: S) -> Result<Option<S>, Error> {
         let (state, work) = memory.parts();
-        let radius = self.dynamics().radius(&state, &work);
-        (radius > S::ZERO).then(|| self.reach(MOST_STAGES) / radius)
+        let radius = self.dynamics().radius(&state, &work)?;
+        Ok((radius > S::ZERO).then(|| self.reach(MOST_STAGES) / radius))
     }
 
     fn time_step(&self, memory: &mut Self::Memory, _: S, longest: S) -> Result<S, Error> {
@@ -133,7 +133,7 @@ impl<S: HostScalar, const D: usize, const P: usize> Solver<S, D, P> for Diffusio
         };
         let (dynamics, longest) = (self.dynamics(), Scalar::lesser(longest, self.longest));
         let (state, work) = memory.parts();
-        let radius = dynamics.radius(&state, &work);
+        let radius = dynamics.radius(&state, &work)?;
         dynamics.time_step(radius, self.reach(stages), longest)
     }
 
@@ -152,7 +152,7 @@ impl<S: HostScalar, const D: usize, const P: usize> Solver<S, D, P> for Diffusio
                 Ok(method.sides())
             }
             Stepping::Stabilised(_) => {
-                let radius = dynamics.radius(state, work);
+                let radius = dynamics.radius(state, work)?;
                 let method = dynamics.stabilised(radius, dt, MOST_STAGES);
                 let method = method.unwrap_or(Rkl2::with_stages(MOST_STAGES));
                 dynamics.advance_split(method, engine, state, work, (time, dt))?;
@@ -232,7 +232,7 @@ impl<S: HostScalar, const D: usize, const P: usize> Solver<S, D, P> for Diffusio
         };
         direct.rates(engine, state, work, time)?;
         let reacted = dynamics.problem.reaction_rate();
-        let fastest = (direct.radius(state, work) - reacted).to_f64();
+        let fastest = (direct.radius(state, work)? - reacted).to_f64();
         let squared = dynamics.epsilon.to_f64() * dynamics.epsilon.to_f64();
         let scale = squared * fastest;
         let rows = mixed.iter().zip(work.last.iter());

@@ -1,5 +1,6 @@
 //! What a scalar must hold of a gas.
 
+use motes_core::domain::Side;
 use motes_core::equation::gas::{Particle, Width};
 use motes_core::scalar::Scalar;
 
@@ -20,7 +21,14 @@ pub(super) fn check_format<S: Scalar>(plan: &Plan, scalar: &str) -> Result<(), R
         ("the number of particles", plan.particles.len() as f64),
     ];
     for axis in &plan.axes[..plan.dimension] {
-        numbers.push(("the length of the domain", axis.upper - axis.lower));
+        // Free sides mean nothing to the solver.
+        if axis.sides != [Side::Free; 2] {
+            numbers.push(("the length of the domain", axis.upper - axis.lower));
+        }
+    }
+    for i in 0..plan.dimension {
+        let places = plan.particles.iter().map(|p| p.position[i].abs());
+        numbers.push(("a position", places.fold(0.0, f64::max)));
     }
     // The largest of each: what is small beside it may be lost.
     let largest =

@@ -40,7 +40,7 @@ impl Plan {
         check_units(&units)?;
         check_reach(scenario, units.length)?;
         let middle = std::array::from_fn(|i| {
-            let bounds = bounds(scenario, i);
+            let bounds = occupied(scenario, &placed, i);
             0.5 * (bounds[0] + bounds[1])
         });
         let frame = Frame {
@@ -87,6 +87,28 @@ fn bounds(scenario: &Scenario, axis: usize) -> [f64; 2] {
     [at(&extent.lower), at(&extent.upper)]
 }
 
+/// What the frame of the solver is laid over: the domain, or where both sides are free and it is far
+/// from full the gas alone. Empty space around a gas changes nothing.
+fn occupied(scenario: &Scenario, placed: &[Placed], axis: usize) -> [f64; 2] {
+    let [lower, upper] = bounds(scenario, axis);
+    let is_free = |sides: &[scenario::Side; 2]| *sides == [scenario::Side::Free; 2];
+    if !scenario.domain.sides.get(axis).is_some_and(is_free) {
+        return [lower, upper];
+    }
+    let places = || placed.iter().map(|p| p.position[axis]);
+    let [least, most] = [
+        places().fold(f64::INFINITY, f64::min),
+        places().fold(f64::NEG_INFINITY, f64::max),
+    ];
+    match most - least < FULL * (upper - lower) {
+        true => [least, most],
+        false => [lower, upper],
+    }
+}
+
+/// The part of a domain, free on both sides, beyond which a gas is said to fill it.
+const FULL: f64 = 0.9;
+
 /// The direction in which a solution varies; the distance from its centre where it is round.
 fn abscissa(scenario: &Scenario) -> Abscissa {
     if scenario.dimension == 1 {
@@ -120,7 +142,14 @@ fn units(scenario: &Scenario, placed: &[Placed]) -> SolverUnits {
     };
     let volume = sum(&|p| p.mass / p.density);
     let spacing = match scenario.dimension {
-        1 => (bounds(scenario, 0)[1] - bounds(scenario, 0)[0]) / count,
+        1 => {
+            // A domain that is full is as long as its gas, but for rounding and the error of a profile.
+            let length = bounds(scenario, 0)[1] - bounds(scenario, 0)[0];
+            match (volume - length).abs() <= 0.01 * length {
+                true => length / count,
+                false => volume / count,
+            }
+        }
         2 => (volume / count).sqrt(),
         _ => libm::cbrt(volume / count),
     };

@@ -58,7 +58,7 @@ where
         self.dynamics.prepare(engine, &mut state, &mut work)
     }
 
-    fn stable_step(&self, memory: &mut Self::Memory, time: S) -> Option<S> {
+    fn stable_step(&self, memory: &mut Self::Memory, time: S) -> Result<Option<S>, Error> {
         let stability = self.method.stability();
         self.dynamics
             .stable_step(&memory.parts().0, time, stability)

@@ -110,7 +110,9 @@ impl<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usize> Strength
                 .map_err(failed);
         };
         let unit = self.plan.unit_of_time();
-        match self.solver.stable_step(&mut self.memory, time) {
+        let failed = self.failed();
+        let stable = self.solver.stable_step(&mut self.memory, time);
+        match stable.map_err(failed)? {
             Some(limit) if !(step <= limit) => Err(RunError::Step {
                 step: step.to_f64() * unit,
                 limit: limit.to_f64() * unit,

@@ -34,7 +34,10 @@ pub(in crate::families) trait Solver<S: HostScalar, const D: usize, const P: usi
     fn prepare(&self, engine: &mut Threads, memory: &mut Self::Memory) -> Result<(), Error>;
 
     /// The largest stable step; `None` where nothing bounds it.
-    fn stable_step(&self, memory: &mut Self::Memory, time: S) -> Option<S>;
+    ///
+    /// # Errors
+    /// Of the solver.
+    fn stable_step(&self, memory: &mut Self::Memory, time: S) -> Result<Option<S>, Error>;
 
     /// The step to make, at most `longest`.
     fn time_step(&self, memory: &mut Self::Memory, time: S, longest: S) -> Result<S, Error>;

@@ -1,0 +1,278 @@
+//! Proofs that the sums and products of a gas stay in the range of a format that wraps.
+//!
+//! By intervals they would be bounded by far too much: a speed is a product over a distance, and the
+//! smallest width goes with the largest density. So here each particle's own products are bounded
+//! first, and the largest of them taken.
+
+use crate::cutoff::{CutOff, Peaks};
+use crate::error::{Error, Quantity};
+use crate::material::EquationOfState;
+use crate::numbered::numbered;
+use crate::pairs::{Engine, Ground, Largest, holds};
+use crate::scalar::Scalar;
+
+use super::density::DensityNode;
+use super::dynamics::GasDynamics;
+use super::gradient::GradientNode;
+use super::motion::Motion;
+use super::node::GasNode;
+use super::physics::Physics;
+use super::state::Gas;
+use super::viscosity::Viscosity;
+
+/// The largest of some numbers in magnitude; they are compared as they are and turned into `f64` once.
+fn largest<S: Scalar>(numbers: impl Iterator<Item = S>) -> Largest {
+    let (mut low, mut high) = ((0, S::ZERO), (0, S::ZERO));
+    for (place, number) in numbered(numbers) {
+        if number < low.1 {
+            low = (place, number);
+        }
+        if number > high.1 {
+            high = (place, number);
+        }
+    }
+    let mut largest = Largest::default();
+    largest.see(low.0, -low.1.to_f64());
+    largest.see(high.0, high.1.to_f64());
+    largest
+}
+
+/// The same of the components of vectors.
+fn longest<S: Scalar, const D: usize>(vectors: &[[S; D]]) -> Largest {
+    let components = vectors.iter().flatten().copied();
+    let mut longest = largest(components);
+    longest.place = longest.place.checked_div(D).unwrap_or(0);
+    longest
+}
+
+/// The smallest of some positive numbers.
+fn smallest<S: Scalar>(numbers: impl Iterator<Item = S>) -> f64 {
+    numbers.reduce(Scalar::lesser).map_or(1.0, S::to_f64)
+}
+
+/// `√D`: by how much a vector may be longer than its components.
+fn diagonal<const D: usize>() -> f64 {
+    libm::sqrt(D as f64)
+}
+
+/// Bounds of the sums of [`Density`](super::density::Density): of `S`, `S'` and `S''`.
+pub(super) fn density<S: Scalar, C: CutOff, const D: usize>(
+    cut_off: C,
+    ground: &Ground<'_, '_, S, D>,
+    nodes: &[DensityNode<S, D>],
+) -> Result<(), Error> {
+    let peaks = Peaks::of::<S, C, D>(cut_off, true);
+    let support = f64::from(cut_off.support());
+    let measure = largest(nodes.iter().map(|node| node.measure));
+    // Beyond its limit nothing of a width is accepted.
+    let width = largest(nodes.iter().map(|node| node.limit));
+    let squared = width.bound * width.bound;
+    let each = (squared * peaks.first.max(peaks.second)).max(peaks.value);
+    let term = (squared * support * support).max(ground.partners * each);
+    let bound = measure.bound * term;
+    ground.holds(Quantity::DensitySum, Largest { bound, ..width })
+}
+
+/// Bounds of the sums of [`Gradient`](super::gradient::Gradient).
+pub(super) fn gradient<S: Scalar, C: CutOff, const D: usize>(
+    cut_off: C,
+    ground: &Ground<'_, '_, S, D>,
+    nodes: &[GradientNode<S, D>],
+) -> Result<(), Error> {
+    let peaks = Peaks::of::<S, C, D>(cut_off, false);
+    let measure = largest(nodes.iter().map(|node| node.measure)).bound;
+    let energy = largest(nodes.iter().map(|node| node.energy));
+    let speed = largest(nodes.iter().flat_map(|node| node.velocity)).bound;
+    let step = (2.0 * energy.bound).max(2.0 * speed).max(ground.reach);
+    // `F |r|` is ε times the slope, ε at most the reach over the support.
+    let width = ground.reach / f64::from(cut_off.support());
+    let sum = ground.partners * measure * peaks.slope * width * step;
+    let made = (step * ground.reach).max(measure * peaks.gradient);
+    ground.holds(Quantity::Gradient, energy.with(sum.max(made)))
+}
+
+/// What the pairs of a gas may come to, one of them.
+pub(super) struct Pairs {
+    /// Of the force, and where it is largest.
+    pub force: Largest,
+    /// `P_k` times the gradient, over masses, with its distance.
+    pub pressure: f64,
+    /// The same of the viscosity.
+    pub viscous: f64,
+    /// The largest difference of velocities.
+    pub speed: f64,
+}
+
+impl<C: CutOff, V, T> Motion<C, V, T> {
+    /// Bounds of a pair; refuses products on the way that leave the range.
+    pub(super) fn bounds<S: Scalar, X, const D: usize>(
+        &self,
+        ground: &Ground<'_, '_, S, D>,
+        nodes: &[GasNode<S, X, D>],
+    ) -> Result<Pairs, Error>
+    where
+        V: Viscosity<S>,
+    {
+        let peaks = Peaks::of::<S, C, D>(self.cut_off, false);
+        let mass = largest(nodes.iter().map(|node| node.mass)).bound;
+        let measure = largest(nodes.iter().map(|node| node.measure)).bound;
+        let sound_speed = largest(nodes.iter().map(|node| node.sound_speed));
+        let component = largest(nodes.iter().flat_map(|node| node.velocity)).bound;
+        let least = smallest(nodes.iter().map(|node| node.density));
+        let mut gradient = Largest::default();
+        let (mut push, mut pushed) = (Largest::default(), Largest::default());
+        let (mut thin, mut slim) = (0.0f64, 0.0f64);
+        let mut slope = 0.0f64;
+        let (mut stiff, mut soft) = (Largest::default(), 0.0f64);
+        for (place, node) in numbered(nodes) {
+            let (g, width) = (node.gradient.to_f64(), node.epsilon.to_f64());
+            let pressure = node.pressure.to_f64();
+            let inverse = 1.0 / node.density.to_f64();
+            // `√m/ν`, as what it shows is made and as it is felt.
+            let mass = node.mass.to_f64();
+            let own = mass * libm::sqrt(mass) * inverse / node.measure.to_f64();
+            stiff.see(place, own.max(1.0) * node.sound_speed.to_f64());
+            soft = soft.max(1.0 / own);
+            // `F` times its factor, and that times the distance.
+            let (steep, along) = (g * peaks.gradient, g * width * peaks.slope);
+            gradient.see(place, steep);
+            push.see(place, pressure.abs() * steep);
+            pushed.see(place, pressure.abs() * along);
+            slope = slope.max(along);
+            thin = thin.max(steep * inverse);
+            slim = slim.max(along * inverse);
+        }
+        ground.holds(Quantity::Velocity, stiff.times(soft.max(1.0)))?;
+        ground.holds(Quantity::Force, gradient)?;
+        ground.holds(Quantity::Force, push.times((measure * measure).max(1.0)))?;
+        // A speed along the line of centres is a product over a distance that is rounded: TINY at least.
+        let rounding = S::TINIEST.to_f64() * 65536.0;
+        let speed = 2.0 * component * diagonal::<D>() + rounding;
+        let approach = Largest {
+            bound: speed * ground.reach,
+            ..sound_speed
+        };
+        ground.holds(Quantity::Velocity, approach)?;
+        let stress = self.viscosity.largest(speed, sound_speed.bound);
+        let pi = Largest {
+            bound: stress.max(stress / (2.0 * least)),
+            ..sound_speed
+        };
+        ground.holds(Quantity::Force, pi)?;
+        let masses = mass * mass;
+        let braked = masses.max(1.0) * stress * thin;
+        ground.holds(
+            Quantity::Force,
+            Largest {
+                bound: 2.0 * measure * measure * push.bound + braked,
+                ..push
+            },
+        )?;
+        let (pressure, viscous) = (measure * measure * pushed.bound, masses * stress * slim);
+        let force = Largest {
+            bound: 2.0 * pressure + viscous,
+            ..pushed
+        };
+        ground.holds(Quantity::Force, force.times(ground.partners))?;
+        let compression = measure.max(1.0) * speed * slope;
+        ground.holds(
+            Quantity::Power,
+            gradient.with(ground.partners * compression),
+        )?;
+        Ok(Pairs {
+            force,
+            pressure,
+            viscous,
+            speed,
+        })
+    }
+
+    /// Whether the sums of [`Motion`], and those of the energy that are made of the same pairs with
+    /// velocities up to `speeds` times theirs, stay in the range.
+    pub(super) fn prove<S: Scalar, X, const D: usize>(
+        &self,
+        ground: &Ground<'_, '_, S, D>,
+        nodes: &[GasNode<S, X, D>],
+        speeds: f64,
+    ) -> Result<(), Error>
+    where
+        V: Viscosity<S>,
+    {
+        let pairs = self.bounds(ground, nodes)?;
+        let power = (2.0 * pairs.pressure * speeds + pairs.viscous) * pairs.speed;
+        ground.holds(Quantity::Power, pairs.force.with(ground.partners * power))
+    }
+}
+
+impl Largest {
+    /// Another bound of the same particle.
+    fn with(self, bound: f64) -> Self {
+        Self { bound, ..self }
+    }
+}
+
+impl<S, C, V, E, P, const D: usize> GasDynamics<'_, S, C, V, E, P, D>
+where
+    S: Scalar,
+    C: CutOff,
+    V: Viscosity<S>,
+    E: EquationOfState<S>,
+    P: Physics<S, D>,
+{
+    /// Whether a drift over `dt` stays in the range.
+    pub(super) fn prove_drift(&self, gas: &Gas<'_, S, D>, dt: S) -> Result<(), Error> {
+        let (position, velocity) = (longest(gas.position), longest(gas.velocity));
+        let dt = dt.to_f64();
+        let speed = velocity.bound + dt * self.pull(gas);
+        self.in_range(Quantity::Velocity, velocity.with(speed))?;
+        self.in_range(
+            Quantity::Position,
+            position.with(position.bound + dt * speed),
+        )
+    }
+
+    /// Whether the kicks of a step, and what follows from settled densities, stay in the range.
+    pub(super) fn prove_state(&self, gas: &Gas<'_, S, D>, dt: S) -> Result<(), Error> {
+        let velocity = longest(gas.velocity);
+        let dt = dt.to_f64();
+        let speed = velocity.bound + dt * self.pull(gas);
+        self.in_range(Quantity::Velocity, velocity.with(speed))?;
+        let mass = smallest(gas.mass.iter().copied());
+        let power = largest(gas.power.iter().copied());
+        let heating = (power.bound / mass).min(S::LARGEST.to_f64());
+        let energy = largest(gas.energy.iter().copied());
+        let energy = energy.with(energy.bound + dt * heating);
+        self.in_range(Quantity::Energy, energy)?;
+        let density = largest(gas.density.iter().copied());
+        let densities = [smallest(gas.density.iter().copied()), density.bound];
+        for law in self.materials {
+            let bound = law.largest(densities, energy.bound);
+            self.in_range(Quantity::Pressure, density.with(bound))?;
+        }
+        let width = largest(gas.epsilon.iter().copied());
+        let powers = (0..D + 2).fold(1.0, |power, _| power * width.bound);
+        self.in_range(Quantity::Epsilon, width.with(powers))
+    }
+
+    /// A bound of the acceleration; the quotient saturates.
+    fn pull(&self, gas: &Gas<'_, S, D>) -> f64 {
+        let force = longest(gas.force).bound;
+        (force / smallest(gas.mass.iter().copied())).min(S::LARGEST.to_f64())
+    }
+
+    fn in_range(&self, quantity: Quantity, largest: Largest) -> Result<(), Error> {
+        holds::<S>(quantity, largest.place as u32, largest.bound)
+    }
+
+    /// Proves something of a gas in a format that wraps.
+    pub(super) fn proven(
+        &self,
+        engine: &mut impl Engine<S, D>,
+        proof: impl FnOnce() -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        match S::WRAPS {
+            true => proof().or_else(|error| engine.unproven(error)),
+            false => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! All the values that a number may have, and the largest that went into them: what a formula is
+//! proven over to stay in the range of a format.
+
+use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+use super::{Number, Scalar};
+
+/// An interval of values of `S`, by interval arithmetic in `f64`.
+///
+/// A law written over [`Number`] is evaluated over intervals as it stands: `worst` bounds the
+/// magnitude of every sum and product on the way. Quotients and roots saturate in `S`, and do here.
+/// Each product and quotient is widened by a unit of the last place, for its rounding.
+#[derive(Clone, Copy, Debug)]
+pub struct Interval<S> {
+    /// The least value.
+    pub low: f64,
+    /// The largest one.
+    pub high: f64,
+    /// The largest magnitude of anything that it was made from.
+    pub worst: f64,
+    ends: [S; 2],
+}
+
+/// The larger of two bounds; no number, or one out of every range, beats all others.
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if a >= b { a } else { b }
+}
+
+fn size(low: f64, high: f64) -> f64 {
+    larger(-low, high)
+}
+
+impl<S: Scalar> Interval<S> {
+    /// From `low` to `high`.
+    pub fn new(low: f64, high: f64) -> Self {
+        Self {
+            low,
+            high,
+            worst: size(low, high),
+            ends: [S::ZERO; 2],
+        }
+    }
+
+    /// From `-size` to `size`.
+    pub fn within(size: f64) -> Self {
+        Self::new(-size, size)
+    }
+
+    fn of(low: f64, high: f64, from: [&Self; 2]) -> Self {
+        let mut made = Self::new(low, high);
+        for operand in from {
+            made.worst = larger(made.worst, operand.worst);
+        }
+        made
+    }
+
+    /// The same, wider by a unit of the last place.
+    fn rounded(low: f64, high: f64, from: [&Self; 2]) -> Self {
+        let unit = S::TINIEST.to_f64();
+        Self::of(low - unit, high + unit, from)
+    }
+
+    fn corners(&self, other: &Self, operation: impl Fn(f64, f64) -> f64) -> (f64, f64) {
+        let [a, b] = [self.low, self.high].map(|x| operation(x, other.low));
+        let [c, d] = [self.low, self.high].map(|x| operation(x, other.high));
+        let least = |x: f64, y: f64| -larger(-x, -y);
+        (
+            least(least(a, b), least(c, d)),
+            larger(larger(a, b), larger(c, d)),
+        )
+    }
+}
+
+impl<S: Scalar> Add for Interval<S> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self::of(
+            self.low + other.low,
+            self.high + other.high,
+            [&self, &other],
+        )
+    }
+}
+impl<S: Scalar> Sub for Interval<S> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self::of(
+            self.low - other.high,
+            self.high - other.low,
+            [&self, &other],
+        )
+    }
+}
+impl<S: Scalar> Neg for Interval<S> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::of(-self.high, -self.low, [&self, &self])
+    }
+}
+impl<S: Scalar> Mul for Interval<S> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let (low, high) = self.corners(&other, |a, b| a * b);
+        Self::rounded(low, high, [&self, &other])
+    }
+}
+impl<S: Scalar> Div for Interval<S> {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        let largest = S::LARGEST.to_f64();
+        let (low, high) = match other.low > 0.0 || other.high < 0.0 {
+            true => self.corners(&other, |a, b| a / b),
+            false => (-largest, largest),
+        };
+        let bounded = |x: f64| x.max(-largest).min(largest);
+        let mut made = Self::of(bounded(low), bounded(high), [&self, &other]);
+        let unit = S::TINIEST.to_f64();
+        (made.low, made.high) = (made.low - unit, made.high + unit);
+        made
+    }
+}
+impl<S: Scalar> AddAssign for Interval<S> {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+impl<S: Scalar> SubAssign for Interval<S> {
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+impl<S: Scalar> Number for Interval<S> {
+    type Scalar = S;
+    const LANES: usize = 1;
+
+    fn splat(value: S) -> Self {
+        let x = value.to_f64();
+        Self {
+            ends: [value; 2],
+            ..Self::new(x, x)
+        }
+    }
+    /// Takes the value in, whatever the lane.
+    #[inline(always)]
+    fn set_lane(&mut self, _: usize, value: S) {
+        // Ends are turned into f64 where they move alone: a cloud has few such places.
+        if value < self.ends[0] {
+            self.ends[0] = value;
+            self.low = value.to_f64();
+            self.worst = larger(self.worst, -self.low);
+        }
+        if value > self.ends[1] {
+            self.ends[1] = value;
+            self.high = value.to_f64();
+            self.worst = larger(self.worst, self.high);
+        }
+    }
+    /// The upper end.
+    fn lane(&self, _: usize) -> S {
+        S::from_f64(self.high)
+    }
+    fn sqrt(self) -> Self {
+        let root = |x: f64| libm::sqrt(larger(x, 0.0));
+        Self::rounded(root(self.low), root(self.high), [&self, &self])
+    }
+    fn min(self, other: Self) -> Self {
+        let low = -larger(-self.low, -other.low);
+        let high = -larger(-self.high, -other.high);
+        Self::of(low, high, [&self, &other])
+    }
+    fn max(self, other: Self) -> Self {
+        let low = larger(self.low, other.low);
+        Self::of(low, larger(self.high, other.high), [&self, &other])
+    }
+    fn below(self, bound: Self) -> Self {
+        Self::of(0.0, 1.0, [&self, &bound])
+    }
+    fn any_below(self, _: Self) -> bool {
+        true
+    }
+    fn dot<const D: usize>(a: &[Self; D], b: &[Self; D]) -> Self {
+        let mut sum = Self::new(0.0, 0.0);
+        for (a, b) in a.iter().zip(b) {
+            // The products are exact in double width: their sum alone has to fit.
+            let (low, high) = a.corners(b, |a, b| a * b);
+            let mut product = Self::new(low, high);
+            product.worst = larger(a.worst, b.worst);
+            sum = sum + product;
+        }
+        Self::rounded(sum.low, sum.high, [&sum, &sum])
+    }
+    fn length_squared<const D: usize>(r: &[Self; D]) -> Self {
+        let limit = S::REACH_LIMIT.to_f64();
+        let near = r.map(|x| {
+            let bounded = |x: f64| x.max(-limit).min(limit);
+            Self::new(bounded(x.low), bounded(x.high))
+        });
+        Self::dot(&near, &near)
+    }
+}

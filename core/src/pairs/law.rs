@@ -1,11 +1,13 @@
 //! What an equation has to say.
 
-use crate::cutoff::{CutOff, Needs, Shapes};
+use crate::cutoff::{CutOff, Needs, Parts, Peaks, Shape, Shapes};
 use crate::domain::Wall;
 use crate::error::{Error, Quantity};
-use crate::scalar::{Number, Scalar};
+use crate::neighbours::Cells;
+use crate::numbered::numbered;
+use crate::scalar::{Enclosure, Number, Scalar};
 
-use super::proof::{Ground, by_intervals};
+use super::proof::{Ground, Largest, holds};
 pub(super) use super::record::Fields;
 
 /// What lies between the particles of a pair.
@@ -114,5 +116,120 @@ impl<Node, Sums> Settled<Node, Sums> {
     /// A result that has not been written yet.
     pub const fn new(node: Node, sums: Sums) -> Self {
         Self { node, sums }
+    }
+}
+
+/// Evaluates a law once, over the intervals of all that its particles and their images show: every sum
+/// and product on the way is in what comes out.
+pub fn by_intervals<S: Scalar, const D: usize, W: Law<S, D>>(
+    law: &W,
+    ground: &Ground<'_, '_, S, D>,
+    nodes: &[W::Node],
+) -> Result<(), Error> {
+    by_intervals_of(law, ground, nodes, |node, wall| law.reflected(node, wall))
+}
+
+/// The same where other images than those of the law stand behind the walls.
+pub fn by_intervals_of<S: Scalar, const D: usize, W: Law<S, D>>(
+    law: &W,
+    ground: &Ground<'_, '_, S, D>,
+    nodes: &[W::Node],
+    image: impl Fn(&W::Node, &Wall<S>) -> W::Node,
+) -> Result<(), Error> {
+    let Some(first) = nodes.first() else {
+        return Ok(());
+    };
+    let mut hull = first.splat::<Enclosure<S>>();
+    for node in nodes {
+        W::Node::set_lane::<Enclosure<S>>(&mut hull, 0, node);
+    }
+    add_images::<S, D, W>(image, ground.cells, nodes, &mut hull);
+    let apart = farthest(law, ground.reach);
+    let worst = |k: &<W::Node as Fields<S>>::Of<Enclosure<S>>| {
+        let mut sums = [W::Sums::ZERO.splat::<Enclosure<S>>(); 2];
+        let [to_k, to_l] = &mut sums;
+        law.pair(k, &hull, &apart, to_k, to_l);
+        let mut worst = 0.0f64;
+        for of in &sums {
+            W::Sums::ZERO.each::<Enclosure<S>>(of, &mut |sum| {
+                let term = (-sum.low).max(sum.high);
+                worst = worst.max(sum.worst).max(ground.partners * term);
+            });
+        }
+        worst
+    };
+    let bound = worst(&hull);
+    if holds::<S>(W::MAKES, 0, bound).is_ok() {
+        return Ok(());
+    }
+    // Whose it is costs a look at each of them.
+    let mut largest = Largest::default();
+    for (place, node) in numbered(nodes) {
+        largest.see(place, worst(&node.splat::<Enclosure<S>>()));
+    }
+    ground.holds(W::MAKES, Largest { bound, ..largest })
+}
+
+/// Adds what is seen behind walls.
+fn add_images<S: Scalar, const D: usize, W: Law<S, D>>(
+    reflected: impl Fn(&W::Node, &Wall<S>) -> W::Node,
+    cells: &Cells<'_, S, D>,
+    nodes: &[W::Node],
+    hull: &mut <W::Node as Fields<S>>::Of<Enclosure<S>>,
+) {
+    if !cells.grid().has_walls() {
+        return;
+    }
+    let walls = cells.grid().walls();
+    for (place, node) in numbered(nodes) {
+        if !cells.grid().near_wall(&cells.cell(place)) {
+            continue;
+        }
+        for combination in 1..3u32.saturating_pow(D as u32) {
+            let (mut image, mut rest, mut is_there) = (*node, combination, true);
+            for (axis, ends) in numbered(&walls) {
+                let code = rest % 3;
+                rest /= 3;
+                let end = usize::from(code == 2);
+                match (code, ends.get(end).copied().flatten()) {
+                    (0, _) => {}
+                    (_, None) => is_there = false,
+                    (_, Some(position)) => {
+                        let wall = Wall {
+                            axis,
+                            end,
+                            position,
+                        };
+                        image = reflected(&image, &wall);
+                    }
+                }
+            }
+            if is_there {
+                W::Node::set_lane::<Enclosure<S>>(hull, 0, &image);
+            }
+        }
+    }
+}
+
+/// All that may lie between the particles of a pair.
+fn farthest<S: Scalar, const D: usize, W: Law<S, D>>(
+    law: &W,
+    reach: f64,
+) -> Separation<Enclosure<S>, D> {
+    let peaks = Peaks::of::<S, _, D>(law.cut_off(), W::NEEDS.parts == Parts::All);
+    let shape = Shape {
+        value: Enclosure::within(peaks.value),
+        gradient: Enclosure::within(peaks.gradient),
+        curvature: Enclosure::within(peaks.curvature),
+        within: Enclosure::new(0.0, 1.0),
+    };
+    Separation {
+        r: [Enclosure::within(reach); D],
+        distance_squared: Enclosure::new(0.0, reach * reach),
+        zeta: Shapes {
+            k: shape,
+            l: shape,
+            distance: Enclosure::new(0.0, reach),
+        },
     }
 }

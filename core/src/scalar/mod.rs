@@ -5,10 +5,10 @@
 //! square roots, minima, maxima and one comparison are used, each defined to the last bit.
 
 mod checked;
+mod enclosure;
 #[cfg(feature = "fixed")]
 mod fixed_point;
 mod float;
-mod interval;
 mod lanes;
 #[cfg(feature = "micromath")]
 mod micro;
@@ -20,9 +20,9 @@ use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 pub use checked::{Checked, CheckedWide};
+pub use enclosure::Enclosure;
 #[cfg(feature = "fixed")]
 pub use fixed_point::{Q32, Q64};
-pub use interval::Interval;
 pub use lanes::Lanes;
 #[cfg(feature = "micromath")]
 pub use micro::Micro;

@@ -24,8 +24,6 @@ use crate::pairs::{Ground, Law, Separation};
 use crate::record;
 use crate::scalar::{Number, Scalar};
 
-use super::proof;
-
 /// How wide the cut-off of a particle is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Width<S> {
@@ -240,7 +238,7 @@ impl<S: Scalar, C: CutOff, const D: usize> Law<S, D> for Density<S, C, D> {
     }
 
     fn proof(&self, ground: &Ground<'_, '_, S, D>, nodes: &[Self::Node]) -> Result<(), Error> {
-        proof::density(self.cut_off, ground, nodes)
+        self.prove(ground, nodes)
     }
 
     fn close(&self, node: &mut DensityNode<S, D>, sums: &DensitySums<S, D>) -> bool {

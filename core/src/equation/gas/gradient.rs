@@ -14,8 +14,6 @@ use crate::pairs::{Ground, Law, Separation};
 use crate::record;
 use crate::scalar::{Number, Scalar};
 
-use super::proof;
-
 record! {
     /// What a particle shows.
     pub struct GradientNode<N, const D: usize> {
@@ -96,7 +94,7 @@ impl<S: Scalar, C: CutOff, const D: usize> Law<S, D> for Gradient<C> {
     }
 
     fn proof(&self, ground: &Ground<'_, '_, S, D>, nodes: &[Self::Node]) -> Result<(), Error> {
-        proof::gradient(self.cut_off, ground, nodes)
+        self.prove(ground, nodes)
     }
 
     fn reflected(&self, node: &GradientNode<S, D>, wall: &Wall<S>) -> GradientNode<S, D> {

@@ -8,12 +8,12 @@ use crate::cutoff::{CutOff, Peaks};
 use crate::error::{Error, Quantity};
 use crate::material::EquationOfState;
 use crate::numbered::numbered;
-use crate::pairs::{Engine, Ground, Largest, holds};
+use crate::pairs::{Engine, Ground, Largest, Law, holds};
 use crate::scalar::Scalar;
 
-use super::density::DensityNode;
+use super::density::{Density, DensityNode};
 use super::dynamics::GasDynamics;
-use super::gradient::GradientNode;
+use super::gradient::{Gradient, GradientNode};
 use super::motion::Motion;
 use super::node::GasNode;
 use super::physics::Physics;
@@ -55,40 +55,46 @@ fn diagonal<const D: usize>() -> f64 {
     libm::sqrt(D as f64)
 }
 
-/// Bounds of the sums of [`Density`](super::density::Density): of `S`, `S'` and `S''`.
-pub(super) fn density<S: Scalar, C: CutOff, const D: usize>(
-    cut_off: C,
-    ground: &Ground<'_, '_, S, D>,
-    nodes: &[DensityNode<S, D>],
-) -> Result<(), Error> {
-    let peaks = Peaks::of::<S, C, D>(cut_off, true);
-    let support = f64::from(cut_off.support());
-    let measure = largest(nodes.iter().map(|node| node.measure));
-    // Beyond its limit nothing of a width is accepted.
-    let width = largest(nodes.iter().map(|node| node.limit));
-    let squared = width.bound * width.bound;
-    let each = (squared * peaks.first.max(peaks.second)).max(peaks.value);
-    let term = (squared * support * support).max(ground.partners * each);
-    let bound = measure.bound * term;
-    ground.holds(Quantity::DensitySum, Largest { bound, ..width })
+impl<S: Scalar, C: CutOff, const D: usize> Density<S, C, D> {
+    /// Bounds of the sums `S`, `S'` and `S''`.
+    pub(super) fn prove(
+        &self,
+        ground: &Ground<'_, '_, S, D>,
+        nodes: &[DensityNode<S, D>],
+    ) -> Result<(), Error> {
+        let cut_off = Law::<S, D>::cut_off(self);
+        let peaks = Peaks::of::<S, C, D>(cut_off, true);
+        let support = f64::from(cut_off.support());
+        let measure = largest(nodes.iter().map(|node| node.measure));
+        // Beyond its limit nothing of a width is accepted.
+        let width = largest(nodes.iter().map(|node| node.limit));
+        let squared = width.bound * width.bound;
+        let each = (squared * peaks.first.max(peaks.second)).max(peaks.value);
+        let term = (squared * support * support).max(ground.partners * each);
+        let bound = measure.bound * term;
+        ground.holds(Quantity::DensitySum, Largest { bound, ..width })
+    }
 }
 
-/// Bounds of the sums of [`Gradient`](super::gradient::Gradient).
-pub(super) fn gradient<S: Scalar, C: CutOff, const D: usize>(
-    cut_off: C,
-    ground: &Ground<'_, '_, S, D>,
-    nodes: &[GradientNode<S, D>],
-) -> Result<(), Error> {
-    let peaks = Peaks::of::<S, C, D>(cut_off, false);
-    let measure = largest(nodes.iter().map(|node| node.measure)).bound;
-    let energy = largest(nodes.iter().map(|node| node.energy));
-    let speed = largest(nodes.iter().flat_map(|node| node.velocity)).bound;
-    let step = (2.0 * energy.bound).max(2.0 * speed).max(ground.reach);
-    // `F |r|` is ε times the slope, ε at most the reach over the support.
-    let width = ground.reach / f64::from(cut_off.support());
-    let sum = ground.partners * measure * peaks.slope * width * step;
-    let made = (step * ground.reach).max(measure * peaks.gradient);
-    ground.holds(Quantity::Gradient, energy.with(sum.max(made)))
+impl<C: CutOff> Gradient<C> {
+    /// Bounds of its sums.
+    pub(super) fn prove<S: Scalar, const D: usize>(
+        &self,
+        ground: &Ground<'_, '_, S, D>,
+        nodes: &[GradientNode<S, D>],
+    ) -> Result<(), Error> {
+        let cut_off = self.cut_off;
+        let peaks = Peaks::of::<S, C, D>(cut_off, false);
+        let measure = largest(nodes.iter().map(|node| node.measure)).bound;
+        let energy = largest(nodes.iter().map(|node| node.energy));
+        let speed = largest(nodes.iter().flat_map(|node| node.velocity)).bound;
+        let step = (2.0 * energy.bound).max(2.0 * speed).max(ground.reach);
+        // `F |r|` is ε times the slope, ε at most the reach over the support.
+        let width = ground.reach / f64::from(cut_off.support());
+        let sum = ground.partners * measure * peaks.slope * width * step;
+        let made = (step * ground.reach).max(measure * peaks.gradient);
+        ground.holds(Quantity::Gradient, energy.with(sum.max(made)))
+    }
 }
 
 /// What the pairs of a gas may come to, one of them.

@@ -11,7 +11,7 @@ use super::{Number, Scalar};
 /// magnitude of every sum and product on the way. Quotients and roots saturate in `S`, and do here.
 /// Each product and quotient is widened by a unit of the last place, for its rounding.
 #[derive(Clone, Copy, Debug)]
-pub struct Interval<S> {
+pub struct Enclosure<S> {
     /// The least value.
     pub low: f64,
     /// The largest one.
@@ -31,7 +31,7 @@ fn size(low: f64, high: f64) -> f64 {
     larger(-low, high)
 }
 
-impl<S: Scalar> Interval<S> {
+impl<S: Scalar> Enclosure<S> {
     /// From `low` to `high`.
     pub fn new(low: f64, high: f64) -> Self {
         Self {
@@ -72,7 +72,7 @@ impl<S: Scalar> Interval<S> {
     }
 }
 
-impl<S: Scalar> Add for Interval<S> {
+impl<S: Scalar> Add for Enclosure<S> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         Self::of(
@@ -82,7 +82,7 @@ impl<S: Scalar> Add for Interval<S> {
         )
     }
 }
-impl<S: Scalar> Sub for Interval<S> {
+impl<S: Scalar> Sub for Enclosure<S> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         Self::of(
@@ -92,20 +92,20 @@ impl<S: Scalar> Sub for Interval<S> {
         )
     }
 }
-impl<S: Scalar> Neg for Interval<S> {
+impl<S: Scalar> Neg for Enclosure<S> {
     type Output = Self;
     fn neg(self) -> Self {
         Self::of(-self.high, -self.low, [&self, &self])
     }
 }
-impl<S: Scalar> Mul for Interval<S> {
+impl<S: Scalar> Mul for Enclosure<S> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         let (low, high) = self.corners(&other, |a, b| a * b);
         Self::rounded(low, high, [&self, &other])
     }
 }
-impl<S: Scalar> Div for Interval<S> {
+impl<S: Scalar> Div for Enclosure<S> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         let largest = S::LARGEST.to_f64();
@@ -120,18 +120,18 @@ impl<S: Scalar> Div for Interval<S> {
         made
     }
 }
-impl<S: Scalar> AddAssign for Interval<S> {
+impl<S: Scalar> AddAssign for Enclosure<S> {
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
-impl<S: Scalar> SubAssign for Interval<S> {
+impl<S: Scalar> SubAssign for Enclosure<S> {
     fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
     }
 }
 
-impl<S: Scalar> Number for Interval<S> {
+impl<S: Scalar> Number for Enclosure<S> {
     type Scalar = S;
     const LANES: usize = 1;
 

@@ -3,12 +3,15 @@
 use std::f64::consts::PI;
 
 use motes_core::cutoff::Named;
-use motes_core::equation::diffusion::{Condition, Form};
-use motes_core::equation::linear::State;
+use motes_core::domain::{Axis, Domain};
+use motes_core::equation::diffusion::{
+    Condition, DiffusionDynamics, Drive, DrivenCondition, Form, Mean, NamedProblem, Reaction,
+};
+use motes_core::equation::linear::{State, Still};
 use motes_core::integrator::SSP_RK3;
 use motes_core::pairs::HalfLoop;
 
-use crate::clouds::{Slab, fill, line, order, run, storage};
+use crate::clouds::{Slab, distorted, fill, line, order, plane, run, storage, with_a_large_stack};
 
 /// Under every condition the straight line that meets it does not change, in either form.
 #[test]
@@ -129,6 +132,83 @@ fn walls_that_exchange_only_take() {
             );
         }
     }
+}
+
+/// Heat through a rod that is held at one end: what a source in all of it, or a flux at the other
+/// end, makes in the long run. In the mixed form nothing damps waves of two spacings but the share
+/// of the direct one, and the jump of the source at the held wall feeds them.
+#[test]
+fn a_source_beside_a_held_wall_ends_in_the_steady_state() {
+    for n in [20, 21] {
+        let size = f64::from(n);
+        for form in [Form::Direct, Form::Mixed] {
+            for (source, flux) in [(1.0, 0.0), (0.0, -1.0), (0.5, -0.5)] {
+                let mut problem = NamedProblem::heat([size]);
+                problem.reaction = Reaction::Linear {
+                    matrix: [[0.0]],
+                    source: [source / size],
+                };
+                let driven = |value| Drive::Constant(value);
+                problem.walls = [[
+                    [DrivenCondition::Flux(driven(flux))],
+                    [DrivenCondition::Value(driven(0.0))],
+                ]];
+                let mut storage = storage::<f64, 1, 64>();
+                fill(&mut storage, n, |_| 0.3);
+                let solver = line(n, problem, form, 0.7 * size.powf(0.25));
+                let (mut state, mut work) = storage.parts();
+                run(&solver, &SSP_RK3, &mut state, &mut work, 8.0 * size);
+                for (x, u) in state.position.iter().zip(state.value.iter()) {
+                    let s = x[0] / size + 0.5;
+                    let exact = source * 0.5 * (1.0 - s * s) - flux * (1.0 - s);
+                    assert!(
+                        (u[0] - exact).abs() < 0.02,
+                        "{form:?} at {s}: {u:?} {exact}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// In the plane: a flux through one wall beside a wall that is held at 0, `u = 0.3` at the start.
+/// Steady in the end, and between 0 and what the flux can drive over the length of the square.
+#[test]
+fn a_flux_beside_a_held_wall_stays_within_its_data() {
+    with_a_large_stack(|| {
+        let n = 16;
+        let size = f64::from(n);
+        for axis in [0, 1] {
+            let states = [Form::Direct, Form::Mixed].map(|form| {
+                let mut problem = NamedProblem::<f64, 2, 1>::heat([size * size]);
+                let flux = DrivenCondition::Flux(Drive::Constant(-0.5 * size));
+                problem.walls[axis][0] = [flux];
+                problem.walls[1 - axis][1] = [DrivenCondition::Value(Drive::Constant(0.0))];
+                let mut storage = distorted::<1024>(n, 0.0, |_, _| 0.3);
+                let of_heat = plane(n, Still, form, 1.0, 0.7 * size.powf(0.25));
+                let solver = DiffusionDynamics {
+                    domain: Domain {
+                        axes: [Axis::walls(-0.5 * size, 0.5 * size); 2],
+                    },
+                    problem,
+                    cut_off: of_heat.cut_off,
+                    epsilon: of_heat.epsilon,
+                    field: Still,
+                    form,
+                    mean: Mean::Arithmetic,
+                    courant: 1.0,
+                };
+                let (mut state, mut work) = storage.parts();
+                run(&solver, &SSP_RK3, &mut state, &mut work, 2.0);
+                state.value.to_vec()
+            });
+            let [direct, mixed] = states;
+            for (direct, mixed) in direct.iter().zip(&mixed) {
+                assert!((-0.01..0.5).contains(&mixed[0]), "{axis}: {mixed:?}");
+                assert!((direct[0] - mixed[0]).abs() < 0.03, "{direct:?} {mixed:?}");
+            }
+        }
+    });
 }
 
 /// Roots of `m tan m = h`, one in each `(iπ, iπ + π/2)`.

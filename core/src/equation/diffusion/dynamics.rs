@@ -56,7 +56,7 @@ where
     ///
     /// Direct form: Gershgorin's circles, `2 max_k Σ_(l≠k) w_l (b_k + b_l) |bracket_kl|`. Mixed
     /// form: `max b (κ/ε)²`, `κ = ∫ |∂_1 ζ| dx`, times the trace of the tensor, and what walls
-    /// exchange. Times what `b` may yet grow by; to it comes the bound of the reactions.
+    /// exchange, and of the share of the direct form its circles. Times what `b` may yet grow by; to it comes the bound of the reactions.
     ///
     /// Error: a bound that the format does not hold. One that had wrapped would bound nothing.
     pub fn radius(
@@ -98,9 +98,12 @@ where
                 let squared = kappa.to_f64() * kappa.to_f64();
                 let stretch = self.stretch();
                 let bound = conductor.to_f64() * squared * stretch.to_f64().max(1.0);
-                let bound = bound + exchanged.to_f64();
+                let shared = work.mixed.sums.get(..n).unwrap_or(&[]);
+                let circles = shared.iter().map(|settled| settled.sums.radius);
+                let widest = circles.reduce(Scalar::greater).unwrap_or(S::ZERO);
+                let bound = bound + exchanged.to_f64() + 2.0 * widest.to_f64();
                 holds::<S>(Quantity::Stability, particle, bound)?;
-                conductor * (kappa * kappa) * stretch + exchanged
+                conductor * (kappa * kappa) * stretch + exchanged + (widest + widest)
             }
         };
         let headroom = self.problem.headroom(*work.time);

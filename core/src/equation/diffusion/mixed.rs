@@ -48,9 +48,35 @@ pub struct Flux<S, C, const D: usize, const P: usize> {
     pub walls: Walls<S, D, P>,
 }
 
-/// The second pass: `dq_k/dt = -Σ_l w_k w_l (p_k + p_l)·∇ζ_kl`.
+/// The second pass: `dq_k/dt = -Σ_l w_k w_l (p_k + p_l)·∇ζ_kl`, and a share of the direct form.
+///
+/// Differs from the paper: beside a wall that holds a value, the odd image of a source, or of the
+/// flux of another wall, jumps from one side to the other. That jump has waves of two spacings in
+/// it, which the mixed form feeds and does not damp: they would grow as long as the source lasts.
+/// A share γ of (4.6) damps them, `γ direct + (1 - γ) mixed`, both of which are consistent. The
+/// fluxes are `1 - γ` times theirs.
 #[derive(Clone, Copy, Debug)]
-pub struct Divergence<S, C, const D: usize, const P: usize>(pub Flux<S, C, D, P>);
+pub struct Divergence<S, C, const D: usize, const P: usize> {
+    /// The first pass.
+    pub first: Flux<S, C, D, P>,
+    /// `γ`; 0 for (4.3) as it is.
+    pub share: S,
+}
+
+/// γ where a wall holds a value: waves of two spacings then fall as a fourth of what the direct form
+/// makes of them.
+const SHARE: f64 = 0.25;
+
+impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Flux<S, C, D, P> {
+    /// γ under these walls.
+    pub(super) fn share(&self) -> S {
+        let mut conditions = self.walls.iter().flatten().flatten();
+        match conditions.any(|condition| matches!(condition, Condition::Value(_))) {
+            true => S::from_f64(SHARE),
+            false => S::ZERO,
+        }
+    }
+}
 
 impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Flux<S, C, D, P> {
     /// The factor of `n = r/ε` in `ε ∇ζ_kl`.
@@ -129,11 +155,11 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Diverge
     const MAKES: Quantity = Quantity::Rate;
 
     fn cut_off(&self) -> C {
-        self.0.cut_off
+        self.first.cut_off
     }
     #[inline(always)]
     fn scale<N: Number<Scalar = S>>(&self, _: &MixedNode<N, D, P>) -> N {
-        N::splat(self.0.scale)
+        N::splat(self.first.scale)
     }
 
     #[inline(always)]
@@ -145,12 +171,12 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Diverge
         to_k: &mut DiffusionSums<N, P>,
         to_l: &mut DiffusionSums<N, P>,
     ) {
-        let (factor, r) = (self.0.factor(apart), &apart.r);
+        let (shape, r) = (self.first.factor(apart), &apart.r);
         let mut n = *r;
         for i in 0..D {
-            n[i] = r[i] * N::splat(self.0.inverse_epsilon);
+            n[i] = r[i] * N::splat(self.first.inverse_epsilon);
         }
-        let factor = (k.node.weight * l.node.weight) * factor;
+        let factor = (k.node.weight * l.node.weight) * shape;
         for j in 0..P {
             let mut sum = n;
             for i in 0..D {
@@ -160,6 +186,20 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Diverge
             to_k.rate[j] -= term;
             to_l.rate[j] += term;
         }
+        if self.share == S::ZERO {
+            return;
+        }
+        let mut largest = N::zero();
+        for j in 0..P {
+            let b = N::splat(self.share) * (k.node.diffusivity[j] + l.node.diffusivity[j]);
+            let term = factor * (b * (l.node.value[j] - k.node.value[j]));
+            to_k.rate[j] -= term;
+            to_l.rate[j] += term;
+            largest = largest.max(b);
+        }
+        let size = shape.max(-shape) * largest;
+        to_k.radius += l.node.weight * size;
+        to_l.radius += k.node.weight * size;
     }
 
     /// The image in a closed wall: what goes through one comes on top, and is counted.
@@ -182,12 +222,24 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Divergence<S, C, D, P
         wall: &Wall<S>,
         walls: &Walls<S, D, P>,
     ) -> MixedNode<S, D, P> {
-        let mut image = *node;
+        let mut image = MixedNode {
+            node: imaged(&node.node, wall, walls),
+            flux: node.flux,
+        };
         let Some(conditions) = end_of(walls, wall) else {
             return image;
         };
         // Fluxes are ε times theirs, and conditions count outwards.
-        let epsilon = S::ONE / self.0.inverse_epsilon;
+        let epsilon = S::ONE / self.first.inverse_epsilon;
+        let values = image.node.value.iter_mut().zip(&node.node.value);
+        for ((seen, &u), condition) in values.zip(conditions) {
+            // What is exchanged each particle pays by itself.
+            if let Condition::Exchange { .. } = condition {
+                *seen = u;
+            }
+        }
+        // What passes through a wall is shared out as the fluxes are.
+        let epsilon = epsilon * (S::ONE - self.share);
         for (flux, condition) in image.flux.iter_mut().zip(conditions) {
             // Behind a held value `2 g - u` falls along the wall where u rises.
             if let Condition::Value(_) = condition {

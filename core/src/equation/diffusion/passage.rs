@@ -5,7 +5,7 @@
 //! particles as the pairs across the wall are, it is multiplied by the wall's share, so that it
 //! adds up to the flux times the area of the wall for any cloud and any `ε/h`.
 
-use super::direct::Direct;
+use super::direct::{Direct, imaged};
 use super::dynamics::{DiffusionDynamics, Form};
 use super::ledger::{Ledger, Share};
 use super::mixed::{Divergence, MixedNode};
@@ -294,7 +294,7 @@ where
             return;
         }
         let shared = shared(&walls, ledger);
-        let inverse = law.0.inverse_epsilon;
+        let inverse = law.first.inverse_epsilon;
         let mut final_ids = [[None; 2]; D];
         for ((place, k), &id) in numbered(nodes).zip(cells.order()) {
             if !cells.grid().near_wall(&cells.cell(place)) {
@@ -314,14 +314,34 @@ where
                     return;
                 }
                 let n = partner.r.map(|r| r * inverse);
-                let apart = partner.apart(law, law.0.scale);
-                let factor = (k.node.weight * l.node.weight) * law.0.factor(&apart);
+                let apart = partner.apart(law, law.first.scale);
+                let factor = (k.node.weight * l.node.weight) * law.first.factor(&apart);
                 // What each wall adds to the flux of the image of a closed one; later walls reflect it.
                 let mut added = [[[S::ZERO; D]; P]; D];
-                let mut node = *l;
+                // And to what its share of the direct form conducts.
+                let mut conducted = [[S::ZERO; P]; D];
+                let (mut node, mut seen) = (*l, l.node);
                 for wall in self.walls_of(&partner.image) {
                     let closed = law.reflected(&node, &wall);
+                    let before = seen.value;
+                    seen = imaged(&seen, &wall, &walls);
                     node = law.behind(&node, &wall, &shared);
+                    let depth = depth(&l.node, &wall);
+                    let conditions = end_of(&shared, &wall);
+                    if let (Some(conducted), Some(conditions)) =
+                        (conducted.get_mut(wall.axis), conditions)
+                    {
+                        for j in 0..P {
+                            let b = k.node.diffusivity[j] + l.node.diffusivity[j];
+                            conducted[j] = match conditions[j] {
+                                Condition::Flux(flux) => {
+                                    let twice = depth + depth;
+                                    -(twice + twice) * flux
+                                }
+                                _ => b * (seen.value[j] - before[j]),
+                            };
+                        }
+                    }
                     for flux in added.iter_mut().flatten() {
                         if let Some(component) = flux.get_mut(wall.axis) {
                             *component = -*component;
@@ -338,13 +358,16 @@ where
                     mark(&mut final_ids, &wall, id);
                 }
                 for wall in self.walls_of(&partner.image) {
-                    let (Some(intakes), Some(added)) =
-                        (ledger.wall(wall.axis, wall.end), added.get(wall.axis))
-                    else {
+                    let (Some(intakes), Some(added), Some(conducted)) = (
+                        ledger.wall(wall.axis, wall.end),
+                        added.get(wall.axis),
+                        conducted.get(wall.axis),
+                    ) else {
                         continue;
                     };
                     for j in 0..P {
-                        let term = -(factor * S::dot(&added[j], &n));
+                        let sum = S::dot(&added[j], &n) + law.share * conducted[j];
+                        let term = -(factor * sum);
                         rates.strength[j] += term;
                         intakes[j].last += term;
                     }
@@ -352,8 +375,11 @@ where
             });
             let node = &k.node;
             let shares = ledger.shares;
+            // What the share of the direct form exchanges has been paid.
+            let own = S::ONE - law.share;
             self.at_exchanges(&walls, &shares, node, |wall, j, (factor, outside)| {
-                let term = -(node.weight * (factor * (node.value[j] - outside)));
+                let difference = own * (node.value[j] - outside);
+                let term = -(node.weight * (factor * difference));
                 rates.strength[j] += term;
                 if let Some(intakes) = ledger.wall(wall.0, wall.1) {
                     intakes[j].last += term;

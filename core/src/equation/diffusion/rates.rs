@@ -123,6 +123,11 @@ where
                     return Err(Error::Lengths);
                 };
                 let tensor = self.problem.tensor();
+                // Pairs across the main direction of a tensor may give in the direct form.
+                let share = match tensor {
+                    None => laws.share(),
+                    Some(_) => S::ZERO,
+                };
                 for (shown, settled) in shown.iter_mut().zip(fluxes.iter()) {
                     let (node, mut flux) = (settled.node, settled.sums.slope);
                     for (flux, &b) in flux.iter_mut().zip(&node.diffusivity) {
@@ -131,10 +136,13 @@ where
                             None => *flux,
                         };
                         *flux = slope.map(|slope| -(b * slope));
+                        if share > S::ZERO {
+                            *flux = flux.map(|flux| flux - share * flux);
+                        }
                     }
                     *shown = MixedNode { node, flux };
                 }
-                let law = Divergence(laws);
+                let law = Divergence { first: laws, share };
                 let walls = self.walls(time);
                 self.prove_passage::<Divergence<S, C, D, P>>(
                     engine,

@@ -259,17 +259,6 @@ const BAD_INPUT: &[(&[&str], &[&str])] = &[
         &["particles", "90", "thinner than their spacing"],
     ),
     (
-        &[
-            "run",
-            "acoustics3d",
-            "-n",
-            "90",
-            "--set",
-            "domain.upper=[1e13,1.0,0.6e13]",
-        ],
-        &["particles", "90", "thinner"],
-    ),
-    (
         &["run", "woodward-colella", "--set", "region.0.pressure=1e8"],
         &["reference", "steps", "output.exact"],
     ),

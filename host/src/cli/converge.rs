@@ -16,7 +16,7 @@ use crate::io;
 use crate::report::convergence::Convergence;
 use crate::report::summary::Summary;
 use crate::run::{Control, ScalarName};
-use crate::scenario::AnyScenario;
+use crate::scenario::{AnyScenario, shortened};
 use crate::study::{ErrorNorm, Level, Study, Subject, coarsest, ladder, level};
 
 /// Runs all levels, writes, prints.
@@ -88,7 +88,8 @@ fn subject(scenario: &AnyScenario, arguments: &ConvergeArguments) -> Result<Subj
         if !subject.fields.contains(field) {
             return Err(Failure::Input(miette::miette!(
                 help = format!("`{name}` has {}", subject.fields.join(", ")),
-                "there is no field `{field}`"
+                "there is no field `{}`",
+                shortened(field)
             )));
         }
         subject.field.clone_from(field);

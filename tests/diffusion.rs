@@ -130,7 +130,7 @@ fn fronts_stay_sharp_and_smooth_at_every_peclet_number() {
 }
 
 /// Through a jump of the diffusivity by ten the steady flux is the same on both sides: that of the
-/// two resistances in series, to two thousandths: the joint lies somewhere between two particles.
+/// two resistances in series.
 #[test]
 fn the_flux_through_layers_is_continuous() {
     let (positions, values) = profile(&done("layered-wall", &["time.end=20"]));
@@ -147,7 +147,7 @@ fn the_flux_through_layers_is_continuous() {
     for (lower, upper, b) in [(-0.9, -0.1, 0.1), (0.1, 0.9, 1.0)] {
         let flux = flux(lower, upper, b);
         let off = (flux / expected - 1.0).abs();
-        assert!(off < 2.5e-3, "from {lower} to {upper}: {flux}, {expected}");
+        assert!(off < 1e-5, "from {lower} to {upper}: {flux}, {expected}");
     }
 }
 
@@ -238,8 +238,8 @@ fn stages_follow_from_the_step() {
     run("heat1d", "f64", 1, &["time.method=rk4", &below]);
 }
 
-/// For the same error the stabilised method takes less than a tenth of the right-hand sides of
-/// SSP-RK3 where diffusion is stiff.
+/// For an error that is a sixth larger, the one of space alone, the stabilised method takes less than a
+/// tenth of the right-hand sides of SSP-RK3 where diffusion is stiff.
 #[test]
 fn the_stabilised_method_saves_nine_tenths_of_the_work() {
     let stiff = |changes: &[&str]| {
@@ -247,13 +247,14 @@ fn the_stabilised_method_saves_nine_tenths_of_the_work() {
         let error = experiment.errors.unwrap()["state"].l2;
         (experiment.outcome.evaluations, error)
     };
-    let (stabilised, error) = stiff(&["time.step=0.1"]);
+    let (stabilised, error) = stiff(&["time.step=0.04"]);
     let (explicit, reference) = stiff(&["time.method=ssp-rk3", "time.courant=1"]);
     println!(
         "right-hand sides: {stabilised} of RKL2 with an error of {error:.2e}, {explicit} of SSP-RK3 \
          with {reference:.2e}"
     );
-    assert!(error < 1.05 * reference, "{error} against {reference}");
+    assert!(error < 8e-6, "{error} against {reference}");
+    assert!(error < 1.17 * reference, "{error} against {reference}");
     assert!(
         10 * stabilised <= explicit,
         "{stabilised} against {explicit}"

@@ -20,9 +20,12 @@ pub struct CutOff {
 /// The width of a cut-off.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Width {
-    /// `eps_k = eta h^(theta - 1) (m_k/rho_k)^(1/dimension)`, h the mean spacing at the start
-    /// as a number of the scenario's unit of length: `eps = eta h^theta` where the gas is even.
-    /// For a linear system `eps = eta h^theta` everywhere and at all times.
+    /// `eps = eta L (h/L)^theta`, h the mean spacing at the start and L the side of the square
+    /// or cube of `N` such spacings squared or cubed, in one dimension the length of the
+    /// domain: [`fineness`] is `h/L`. No unit of length enters.
+    ///
+    /// Of a gas `eps_k = eta (h/L)^(theta - 1) (m_k/rho_k)^(1/dimension)`, which is that where it
+    /// is even; of a linear system the same everywhere and at all times.
     Adaptive {
         /// > 0; in mean spacings where theta is 1.
         eta: f64,
@@ -37,20 +40,25 @@ pub enum Width {
     },
 }
 
+/// `h/L`, the spacing of an even cloud in the side of a square or cube that it fills: `N^(-1/D)`.
+pub fn fineness(particles: usize, dimension: usize) -> f64 {
+    libm::pow(1.0 / particles as f64, 1.0 / dimension as f64)
+}
+
 impl Width {
-    /// ε in spacings for an even gas of spacing `h`; 1 for a width that is given.
-    pub fn spacings(&self, h: f64) -> f64 {
+    /// ε in spacings for an even cloud of that [`fineness`]; 1 for a width that is given.
+    pub fn spacings(&self, fineness: f64) -> f64 {
         match *self {
-            Self::Adaptive { eta, theta } if theta < 1.0 => eta * libm::pow(h, theta - 1.0),
+            Self::Adaptive { eta, theta } if theta < 1.0 => eta * libm::pow(fineness, theta - 1.0),
             Self::Adaptive { eta, .. } => eta,
             Self::Constant { .. } => 1.0,
         }
     }
 
-    /// ε where the spacing is `h`, both as numbers of the scenario's unit of length.
-    pub fn epsilon(&self, h: f64) -> f64 {
+    /// ε of an even cloud of spacing `h`, in the unit of `h`, and that [`fineness`].
+    pub fn epsilon(&self, h: f64, fineness: f64) -> f64 {
         match *self {
-            Self::Adaptive { .. } => h * self.spacings(h),
+            Self::Adaptive { .. } => h * self.spacings(fineness),
             Self::Constant { epsilon } => epsilon,
         }
     }
@@ -93,7 +101,7 @@ impl CutOff {
 }
 
 /// Of a linear system that names none: shape, eta and theta. M6 is smooth enough for
-/// `epsilon = eta h^0.75`: both errors of Theorem 1 fall with the spacing.
+/// `epsilon = eta L (h/L)^0.75`: both errors of Theorem 1 fall with the spacing.
 const OF_LINEAR: (Named, f64, f64) = (Named::QuinticSpline, 0.7, 0.75);
 
 /// `[cut-off]` of a gas: a shape and a width, or neither.

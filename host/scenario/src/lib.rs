@@ -83,7 +83,7 @@ mod tolerance;
 
 pub use any::AnyScenario;
 pub use builtin::{BUILT_IN, BuiltIn, SHIPPED_FILES, ShippedFile, built_in, shipped_file};
-pub use cut_off::{CutOff, Width};
+pub use cut_off::{CutOff, Width, fineness};
 pub use domain::{Ball, Domain, Extent, Side};
 pub use error::ScenarioError;
 pub use gas::{

@@ -6,7 +6,7 @@ use super::{ErrorNorm, Theory};
 use crate::families::compared;
 use crate::run::{RECONSTRUCTION, STATE};
 use crate::scenario::linear::LinearScenario;
-use crate::scenario::{AnyScenario, Side, Width};
+use crate::scenario::{AnyScenario, Side, Width, fineness};
 
 /// What is studied.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,8 +81,10 @@ fn least(scenario: &LinearScenario) -> usize {
     let support = f64::from(scenario.cut_off.shape.support());
     let fits = |&count: &usize| {
         let spacing = libm::pow(extent.volume() / count as f64, 1.0 / dimension);
+        let fineness = fineness(count, scenario.dimension);
+        let epsilon = scenario.cut_off.width.epsilon(spacing, fineness);
         // The solver's reach is 1/64 longer than the support, and cells round.
-        3.1 * support * scenario.cut_off.width.epsilon(spacing) <= shortest
+        3.1 * support * epsilon <= shortest
     };
     (0..30).map(|i| 1 << i).find(fits).unwrap_or(0)
 }

@@ -14,17 +14,16 @@ pub enum PlanError {
     #[diagnostic(transparent)]
     Setup(#[from] SetupError),
     /// A cut-off that reaches too few or too many particles.
-    #[error(
-        "eta = {eta} makes the cut-off `{cut_off}` reach {reach} spacings: need {least} to {most}"
-    )]
+    #[error("{given} makes the cut-off `{cut_off}` reach {reach} spacings: need {least} to {most}")]
     #[diagnostic(help(
-        "set cut-off.eta between {} and {} (with theta: eta h^(theta-1))",
+        "set cut-off.eta between {} and {} (with theta: eta N^((1-theta)/D)), or cut-off.epsilon to as \
+         many spacings",
         least / support,
         most / support
     ))]
     Reach {
-        /// Width in spacings.
-        eta: f64,
+        /// What the scenario says, in spacings.
+        given: String,
         /// Name of the cut-off.
         cut_off: &'static str,
         /// Its support in units of its width.

@@ -114,8 +114,8 @@ pub enum RunError {
     /// A cut-off that does not go with the cloud.
     #[error("epsilon = {epsilon:e} is {spacings:.3} spacings: {error}")]
     #[diagnostic(help(
-        "epsilon = eta h^theta, with h as a number of the unit of length, so eta goes with that \
-         unit: give another eta, or epsilon itself; 1.5 to 4 spacings are usual"
+        "epsilon = eta L (h/L)^theta, h the spacing and L = h N^(1/D): give another eta, or epsilon \
+         itself; 1.5 to 4 spacings are usual"
     ))]
     Width {
         /// ε, in the scenario's unit of length.

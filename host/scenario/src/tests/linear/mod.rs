@@ -2,6 +2,7 @@
 
 use super::super::linear::{Arrangement, Field, Initial, Measured, Method, System};
 use super::*;
+use crate::fineness;
 
 mod diffusion;
 mod faults;
@@ -226,12 +227,21 @@ fn every_section_reads_as_written() {
     );
 }
 
-/// `epsilon = eta h^theta`, in numbers by hand: 0.7 * 0.0625^0.75 = 0.7 / 8.
+/// `epsilon = eta L (h/L)^theta`, in numbers by hand: of 16 particles on a line of length 1,
+/// 0.7 * 0.0625^0.75 = 0.7 / 8; of the same line in another unit, as many of that unit.
 #[test]
-fn the_width_is_a_power_of_the_spacing() {
+fn the_width_is_a_power_of_the_spacing_over_the_length_of_the_domain() {
     let width = read(LINE).cut_off.width;
-    assert!((width.epsilon(0.0625) - 0.7 / 8.0).abs() < 1e-15);
-    assert_eq!(Width::Constant { epsilon: 0.3 }.epsilon(0.0625), 0.3);
+    for (particles, dimension) in [(16, 1), (256, 2), (4096, 3)] {
+        let fineness = fineness(particles, dimension);
+        assert!((fineness - 0.0625).abs() < 1e-16);
+        for unit in [1e-9, 1.0, 1000.0] {
+            let epsilon = width.epsilon(0.0625 * unit, fineness);
+            assert!((epsilon / unit - 0.7 / 8.0).abs() < 1e-15);
+        }
+        let given = Width::Constant { epsilon: 0.3 };
+        assert_eq!(given.epsilon(0.0625, fineness), 0.3);
+    }
 }
 
 #[test]

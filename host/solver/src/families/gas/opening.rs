@@ -4,7 +4,7 @@ use motes_core::domain::Axis;
 use motes_core::equation::gas::{Inflow, Opening, Particle, Zone};
 use motes_core::scalar::Scalar;
 
-use crate::scenario::{self, Scenario, Share, Side};
+use crate::scenario::{self, Scenario, Share, Side, fineness};
 use crate::setup::SetupError;
 use crate::units::SolverUnits;
 
@@ -60,10 +60,12 @@ impl OpenSides {
             return Ok(None);
         };
         let most = particles.len();
+        let fineness = fineness(most, scenario.dimension);
+        let eta = scenario.cut_off.width.spacings(fineness);
         let incoming = scenario
             .inflow
             .as_ref()
-            .map(|inflow| Incoming::new(inflow, scenario, units, axes, (axis, support, most)));
+            .map(|inflow| Incoming::new(inflow, scenario, units, axes, (axis, support, most, eta)));
         let incoming = incoming.transpose()?;
         let widest = match scenario.cut_off.width {
             scenario::Width::Constant { epsilon } => epsilon / units.length,
@@ -137,7 +139,7 @@ impl Incoming {
         scenario: &Scenario,
         units: &SolverUnits,
         axes: &[Axis<f64>; 3],
-        (axis, support, most): (usize, f64, usize),
+        (axis, support, most, eta): (usize, f64, usize, f64),
     ) -> Result<Self, SetupError> {
         let density = inflow.density / units.density();
         // The mean mass is 1, and the mean volume.
@@ -184,10 +186,7 @@ impl Incoming {
             *to = from / units.velocity;
         }
         let (epsilon, width) = match scenario.cut_off.width {
-            width @ scenario::Width::Adaptive { .. } => {
-                let eta = width.spacings(units.length);
-                (eta * mean, eta * mean)
-            }
+            scenario::Width::Adaptive { .. } => (eta * mean, eta * mean),
             scenario::Width::Constant { epsilon } => (mean, epsilon / units.length),
         };
         Ok(Self {

@@ -12,6 +12,7 @@ use crate::families::PlanError;
 use crate::run::{Abscissa, check_memory};
 use crate::scenario::{
     self, Arrangement, EnergyRule, EquationOfState, Exact, Profile, Scenario, Share, ViscosityKind,
+    fineness,
 };
 use crate::setup::{self, Placed};
 use crate::sums::compensated;
@@ -38,7 +39,8 @@ impl Plan {
         let (placed, doubts) = setup::placed(scenario)?;
         let units = units(scenario, &placed);
         check_units(&units)?;
-        check_reach(scenario, units.length)?;
+        let fineness = fineness(placed.len(), scenario.dimension);
+        check_reach(scenario, &placed, fineness)?;
         let middle = std::array::from_fn(|i| {
             let bounds = occupied(scenario, &placed, i);
             0.5 * (bounds[0] + bounds[1])
@@ -47,6 +49,7 @@ impl Plan {
             scenario,
             units,
             middle,
+            fineness,
         };
         let stretches = frame.stretches(&placed);
         let particles: Vec<_> = match &stretches {
@@ -177,12 +180,14 @@ struct Frame<'a> {
     scenario: &'a Scenario,
     units: SolverUnits,
     middle: [f64; 3],
+    /// The mean spacing in the side of what the particles fill.
+    fineness: f64,
 }
 
 impl Frame<'_> {
     /// ε in local spacings; 1 where it is given as a length.
     fn eta(&self) -> f64 {
-        self.scenario.cut_off.width.spacings(self.units.length)
+        self.scenario.cut_off.width.spacings(self.fineness)
     }
 
     fn axes(&self) -> [Axis<f64>; 3] {
@@ -355,20 +360,29 @@ impl Frame<'_> {
 /// with room to move, and no more than a solver wants to look at.
 const REACH: [f64; 2] = [1.5, 40.0];
 
-/// Refuses an η with which particles would see nobody, or everybody.
-fn check_reach(scenario: &Scenario, spacing: f64) -> Result<(), PlanError> {
-    if let scenario::Width::Constant { .. } = scenario.cut_off.width {
-        return Ok(());
-    }
-    let eta = scenario.cut_off.width.spacings(spacing);
+/// Refuses a width with which particles would see nobody, or everybody; of one that is the same for
+/// all, most of them.
+fn check_reach(scenario: &Scenario, placed: &[Placed], fineness: f64) -> Result<(), PlanError> {
+    let (given, width) = match scenario.cut_off.width {
+        scenario::Width::Constant { epsilon } => {
+            let volume = compensated(placed.iter().map(|p| p.mass / p.density));
+            let volume = volume / placed.len().max(1) as f64;
+            let spacings = epsilon / libm::pow(volume, 1.0 / scenario.dimension as f64);
+            (format!("epsilon = {spacings} spacings"), spacings)
+        }
+        width @ scenario::Width::Adaptive { .. } => {
+            let eta = width.spacings(fineness);
+            (format!("eta = {eta}"), eta)
+        }
+    };
     let cut_off = scenario.cut_off.shape;
     let support = f64::from(cut_off.support());
-    let ([least, most], reach) = (REACH, eta * support);
+    let ([least, most], reach) = (REACH, width * support);
     if (least..=most).contains(&reach) {
         return Ok(());
     }
     Err(PlanError::Reach {
-        eta,
+        given,
         cut_off: cut_off.name(),
         support,
         reach,

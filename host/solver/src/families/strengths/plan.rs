@@ -20,8 +20,8 @@ use crate::exact::linear::error::SolutionError;
 use crate::exact::solution::Solution;
 use crate::families::PlanError;
 use crate::run::{RunError, check_memory, check_numbers};
-use crate::scenario;
 use crate::scenario::linear::{Field, LinearScenario, Method, System};
+use crate::scenario::{self, Width};
 use crate::symmetriser::Symmetriser;
 
 /// A run of a linear system in solver units. Vectors have three components; those beyond the
@@ -93,7 +93,7 @@ impl Plan {
         // Before the particles are made: 3 vectors and, with registers, 12 values each at the least.
         check_memory(scenario.resolution.particles, 200 + 100 * components)?;
         let quadrature = Quadrature::of(scenario)?;
-        let count = quadrature.weights.len();
+        let count = quadrature.shares.len();
         let values = match (start()?, quadrature.values) {
             (Some(solution), _) => {
                 let mut values = vec![0.0; count * solution.components()];
@@ -123,16 +123,22 @@ impl Plan {
         };
         let time = units.length / units.velocity;
         let middle = std::array::from_fn(|i| scenario.domain.extent.middle(i));
-        let solver_place = |x: &[f64; 3]| std::array::from_fn(|i| (x[i] - middle[i]) / spacing);
-        let cell = spacing.powi(dimension as i32);
+        let lengths = lengths(scenario, spacing);
+        let solver_place = |x: &[f64; 3]| std::array::from_fn(|i| x[i] * lengths[i]);
+        let epsilon = match scenario.cut_off.width {
+            Width::Adaptive { .. } => {
+                let fineness = scenario::fineness(count, dimension);
+                scenario.cut_off.width.spacings(fineness)
+            }
+            Width::Constant { epsilon } => epsilon / spacing,
+        };
         let mut plan = Self {
             dimension,
             units,
             middle,
-            axes: std::array::from_fn(|i| axis(scenario, i, spacing)),
+            axes: std::array::from_fn(|i| axis(scenario, i, lengths[i])),
             names: scenario.system.names(dimension),
-            positions: quadrature.positions.iter().map(solver_place).collect(),
-            weights: quadrature.weights.iter().map(|w| w / cell).collect(),
+            positions: quadrature.places.iter().map(solver_place).collect(),
             values,
             system: scenario.system.clone(),
             symmetriser,
@@ -142,7 +148,7 @@ impl Plan {
                 units,
             },
             cut_off: scenario.cut_off.shape,
-            epsilon: scenario.cut_off.width.epsilon(spacing) / spacing,
+            epsilon,
             method: scenario.time.method,
             stages: scenario.time.stages as u32,
             courant: scenario.time.courant,
@@ -153,7 +159,13 @@ impl Plan {
             counts_always: scenario.output.snapshots.is_some(),
             growth_margin: scenario.time.growth_margin,
             budget: Budget::of(scenario),
-            doubts: doubts(scenario, spacing, &quadrature.weights),
+            doubts: doubts(
+                scenario,
+                spacing,
+                (epsilon, &lengths[..dimension]),
+                &quadrature.shares,
+            ),
+            weights: quadrature.shares,
         };
         plan.doubts.extend(quadrature.doubts);
         plan.doubts.extend(layers::check(scenario, plan.width())?);
@@ -268,13 +280,29 @@ fn amplitude(values: &[f64]) -> f64 {
     }
 }
 
+/// The lengths of the domain in spacings; 1 beyond its dimension.
+///
+/// Rounded to 40 bits: what a unit of length does to the last bits of a quotient is gone then, and
+/// the state at t = 0 has the same bits in every unit.
+fn lengths(scenario: &LinearScenario, spacing: f64) -> [f64; 3] {
+    let extent = &scenario.domain.extent;
+    let sides = |i: usize| extent.lower.get(i).zip(extent.upper.get(i));
+    std::array::from_fn(|i| match sides(i) {
+        Some((lower, upper)) => {
+            let length = (upper - lower) / spacing;
+            let grid = libm::exp2(libm::floor(libm::log2(length)) - 40.0);
+            libm::round(length / grid) * grid
+        }
+        None => 1.0,
+    })
+}
+
 /// One direction of the domain.
-fn axis(scenario: &LinearScenario, i: usize, spacing: f64) -> Axis<f64> {
+fn axis(scenario: &LinearScenario, i: usize, length: f64) -> Axis<f64> {
     let Some(sides) = scenario.domain.sides.get(i) else {
         return Axis::FREE;
     };
-    let extent = &scenario.domain.extent;
-    let half = 0.5 * (extent.upper[i] - extent.lower[i]) / spacing;
+    let half = 0.5 * length;
     Axis {
         lower: -half,
         upper: half,

@@ -13,8 +13,11 @@ use crate::setup::{CloudError, LARGEST, Places};
 pub struct Quadrature {
     /// `ξ_k`; 0 beyond the dimension.
     pub positions: Vec<[f64; 3]>,
-    /// `ω_k`, > 0.
-    pub weights: Vec<f64>,
+    /// The same from the middle of the domain, in its lengths: free of any unit, to the bit
+    /// where the points are no file's.
+    pub places: Vec<[f64; 3]>,
+    /// `ω_k`, > 0, in the mean volume of a particle.
+    pub shares: Vec<f64>,
     /// The state at the points, one after the other, where a file holds it.
     pub values: Option<Vec<f64>>,
     /// What a careful reader should know of the file that holds them.
@@ -62,6 +65,20 @@ impl Quadrature {
         match particles <= LARGEST {
             true => Ok(()),
             false => Err(QuadratureError::TooMany { particles }),
+        }
+    }
+
+    /// Points at these parts of the lengths of a box.
+    fn of_parts(extent: &Extent, parts: &[[f64; 3]], shares: Vec<f64>) -> Self {
+        let dimension = extent.lower.len();
+        let place =
+            |s: &[f64; 3]| std::array::from_fn(|i| if i < dimension { s[i] - 0.5 } else { 0.0 });
+        Self {
+            positions: parts.iter().map(|&s| point(extent, s)).collect(),
+            places: parts.iter().map(place).collect(),
+            shares,
+            values: None,
+            doubts: Vec::new(),
         }
     }
 
@@ -155,10 +172,8 @@ fn distorted(
     amplitude: f64,
 ) -> Result<Quadrature, QuadratureError> {
     let dimension = extent.lower.len();
-    let volume: f64 = lengths(extent).iter().product();
     let middles = middles(extent, particles)?;
-    let cell = volume / middles.len() as f64;
-    let (mut positions, mut weights) = (Vec::new(), Vec::new());
+    let (mut parts, mut shares) = (Vec::new(), Vec::new());
     for s in middles {
         let angle = s.map(|s| TAU * s);
         let sine = angle.map(libm::sin);
@@ -173,10 +188,9 @@ fn distorted(
             let factors = (0..3).filter(|&j| j != i).map(|j| cosine[j]);
             factors.product()
         };
-        positions.push(point(
-            extent,
-            std::array::from_fn(|i| s[i] + amplitude * sine[i] * others(i)),
-        ));
+        parts.push(std::array::from_fn(|i| {
+            s[i] + amplitude * sine[i] * others(i)
+        }));
         // ∂(new s_i)/∂s_j.
         let slope = |i: usize, j: usize| match (i < dimension, j < dimension) {
             (true, true) if i == j => 1.0 + TAU * amplitude * cosine[i] * others(i),
@@ -189,14 +203,9 @@ fn distorted(
             slope(1, a) * slope(2, b) - slope(1, b) * slope(2, a)
         };
         let determinant = slope(0, 0) * minor(0) - slope(0, 1) * minor(1) + slope(0, 2) * minor(2);
-        weights.push(cell * determinant);
+        shares.push(determinant);
     }
-    Ok(Quadrature {
-        positions,
-        weights,
-        values: None,
-        doubts: Vec::new(),
-    })
+    Ok(Quadrature::of_parts(extent, &parts, shares))
 }
 
 /// Roberts' sequence (2018): `s_i = frac(1/2 + k/φ^(i+1))`, `φ^(D+1) = φ + 1`, of low discrepancy;
@@ -204,25 +213,19 @@ fn distorted(
 /// lattice.
 fn low_discrepancy(extent: &Extent, particles: usize) -> Quadrature {
     let dimension = extent.lower.len();
-    let volume: f64 = lengths(extent).iter().product();
     let mut root: f64 = 1.5;
     for _ in 0..64 {
         root = libm::pow(1.0 + root, 1.0 / (dimension + 1) as f64);
     }
     let steps: [f64; 3] = std::array::from_fn(|i| 1.0 / libm::pow(root, (i + 1) as f64));
     let place = |k: usize| {
-        let s = steps.map(|step| {
+        steps.map(|step| {
             let s = 0.5 + (k + 1) as f64 * step;
             s - s.floor()
-        });
-        point(extent, s)
+        })
     };
-    Quadrature {
-        positions: (0..particles).map(place).collect(),
-        weights: vec![volume / particles as f64; particles],
-        values: None,
-        doubts: Vec::new(),
-    }
+    let parts: Vec<_> = (0..particles).map(place).collect();
+    Quadrature::of_parts(extent, &parts, vec![1.0; particles])
 }
 
 /// Positions, weights and, without an initial state in the scenario, values from a CSV file.
@@ -246,7 +249,7 @@ fn file(path: &Path, scenario: &LinearScenario) -> Result<Quadrature, Quadrature
             .iter()
             .map(|name| table.required(name, &need))
             .collect::<Result<_, _>>()?;
-        let (mut positions, mut weights, mut values) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut positions, mut shares, mut values) = (Vec::new(), Vec::new(), Vec::new());
         let mut places = Places::new(&scenario.domain);
         table.rows(|row| {
             let mut place = [0.0; 3];
@@ -255,14 +258,14 @@ fn file(path: &Path, scenario: &LinearScenario) -> Result<Quadrature, Quadrature
             }
             positions.push(place);
             places.push(place, row.place());
-            weights.push(row.positive(&columns[0])?);
+            shares.push(row.positive(&columns[0])?);
             for column in &columns[1..] {
                 values.push(row.number(column)?);
             }
             Ok(())
         })?;
         places.check_apart(table)?;
-        let doubt = places.contradiction(&weights).map(|found| {
+        let doubt = places.contradiction(&shares).map(|found| {
             format!(
                 "line {}: weight = {}, but its neighbours leave the particle a volume of {:.4e}{}: \
                  weights are volumes, and waves run at wrong speeds where they are not",
@@ -272,9 +275,16 @@ fn file(path: &Path, scenario: &LinearScenario) -> Result<Quadrature, Quadrature
                 found.extent(),
             )
         });
+        let extent = &scenario.domain.extent;
+        let (lengths, count) = (lengths(extent), shares.len() as f64);
+        for share in &mut shares {
+            *share *= count / extent.volume();
+        }
+        let place = |x: &[f64; 3]| std::array::from_fn(|i| (x[i] - extent.middle(i)) / lengths[i]);
         Ok(Quadrature {
+            places: positions.iter().map(place).collect(),
             positions,
-            weights,
+            shares,
             doubts: doubt.into_iter().collect(),
             values: scenario.initial.is_none().then_some(values),
         })

@@ -10,7 +10,7 @@ use motes_core::scalar::Scalar;
 
 use super::balance::{Source, balance};
 use super::description::description;
-use super::doubts::{beyond, undamped};
+use super::doubts::{beyond, thin, undamped};
 use super::growth::Monitor;
 use super::memory::CloudArrays;
 use super::plan::Plan;
@@ -427,8 +427,22 @@ where
     }
 
     fn doubts(&self, outcome: &Outcome) -> Vec<String> {
-        let blind = undamped(outcome.undamped);
-        self.plan.doubts.iter().cloned().chain(blind).collect()
+        let (plan, blind) = (&self.plan, undamped(outcome.undamped));
+        let weights = self.cloud().weight.iter().map(|w| w.to_f64());
+        let largest = weights.fold(0.0, f64::max);
+        let thinned = thin(plan.cut_off, plan.epsilon, (largest, D), "the end");
+        // What was thin at the start is told already.
+        let was_thin = plan
+            .doubts
+            .iter()
+            .any(|doubt| doubt.contains("at the start"));
+        let thinned = thinned.filter(|_| !was_thin);
+        plan.doubts
+            .iter()
+            .cloned()
+            .chain(blind)
+            .chain(thinned)
+            .collect()
     }
 
     fn warnings(&self, outcome: &Outcome) -> Vec<String> {

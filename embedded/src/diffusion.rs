@@ -19,11 +19,15 @@ pub struct Storage<S: Scalar> {
 }
 
 impl<S: Scalar> Storage<S> {
-    /// An empty wall.
+    /// An empty wall. Made when the program is compiled, and copied to where it is to be: made in
+    /// place, its parts may be on the stack a second time.
+    #[inline(always)]
     pub const fn new() -> Self {
-        Self {
-            cloud: DirectStorage::new(),
-            lists: Lists::new(),
+        const {
+            Self {
+                cloud: DirectStorage::new(),
+                lists: Lists::new(),
+            }
         }
     }
 }

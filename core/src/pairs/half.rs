@@ -12,6 +12,7 @@ use crate::numbered::numbered;
 use crate::scalar::{Number, Scalar};
 
 /// Evaluates `law` for the whole cloud.
+#[inline(never)]
 pub fn half<S: Scalar, const D: usize, W: Law<S, D>>(
     law: &W,
     cells: &Cells<'_, S, D>,

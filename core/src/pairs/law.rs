@@ -130,6 +130,7 @@ pub fn by_intervals<S: Scalar, const D: usize, W: Law<S, D>>(
 }
 
 /// The same where other images than those of the law stand behind the walls.
+#[inline(never)]
 pub fn by_intervals_of<S: Scalar, const D: usize, W: Law<S, D>>(
     law: &W,
     ground: &Ground<'_, '_, S, D>,
@@ -171,6 +172,7 @@ pub fn by_intervals_of<S: Scalar, const D: usize, W: Law<S, D>>(
 }
 
 /// Adds what is seen behind walls.
+#[inline(never)]
 fn add_images<S: Scalar, const D: usize, W: Law<S, D>>(
     reflected: impl Fn(&W::Node, &Wall<S>) -> W::Node,
     cells: &Cells<'_, S, D>,

@@ -136,6 +136,7 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Law<S, D> for Direct<
 }
 
 /// Whether what is seen behind the walls stays in the range of the format.
+#[inline(never)]
 pub(super) fn prove_walls<S: Scalar, const D: usize, const P: usize>(
     walls: &Walls<S, D, P>,
     ground: &Ground<'_, '_, S, D>,

@@ -87,6 +87,7 @@ where
     }
 
     /// Adds what pairs across joints conduct beside what the law of all pairs takes them to.
+    #[inline(never)]
     pub(super) fn join(
         &self,
         law: &Direct<S, C, D, P>,

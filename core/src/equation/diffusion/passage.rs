@@ -79,6 +79,7 @@ where
     /// Measures a cloud that has just been sorted: how well its pairs conduct, and the shares of its walls.
     ///
     /// The first on clouds that stand still between sides through which nothing leaves them.
+    #[inline(never)]
     pub(super) fn measure(
         &self,
         cells: &Cells<'_, S, D>,
@@ -162,6 +163,7 @@ where
 
     /// 1 over the second moment `Σ_l w_l bracket |r|²/D` of the direct form, in the mean over the
     /// cloud; the slopes of the mixed form have the same one.
+    #[inline(never)]
     fn conduction(&self, cells: &Cells<'_, S, D>, nodes: &[DiffusionNode<S, D, P>]) -> S {
         let law = self.direct(S::ONE);
         let inverse = S::ONE / self.epsilon;
@@ -191,6 +193,7 @@ where
 
     /// Asks a proof that what passes through walls stays in the range of a format that wraps, as sums
     /// over pairs do; shares of walls count as more partners.
+    #[inline(never)]
     pub(super) fn prove_passage<W: Law<S, D>>(
         &self,
         engine: &mut impl Engine<S, D>,
@@ -209,6 +212,7 @@ where
     }
 
     /// Adds what passes through walls under the direct form.
+    #[inline(never)]
     pub(super) fn pass_direct(
         &self,
         law: &Direct<S, C, D, P>,
@@ -281,6 +285,7 @@ where
     }
 
     /// The same under the mixed form, where fluxes are exchanged.
+    #[inline(never)]
     pub(super) fn pass_mixed(
         &self,
         law: &Divergence<S, C, D, P>,
@@ -390,6 +395,7 @@ where
     }
 
     /// Gives what rounding has left of a given flux to one particle.
+    #[inline(never)]
     fn settle(
         &self,
         walls: &Walls<S, D, P>,

@@ -191,8 +191,8 @@ where
         }
     }
 
-    /// Asks a proof that what passes through walls stays in the range of a format that wraps, as sums
-    /// over pairs do; shares of walls count as more partners.
+    /// Asks for a proof that sums over pairs and what passes through walls stay in the range of a format
+    /// that wraps; shares of walls count as more partners.
     #[inline(never)]
     pub(super) fn prove_passage<W: Law<S, D>>(
         &self,
@@ -201,7 +201,7 @@ where
         ledger: &Ledger<S, D, P>,
         proof: impl Fn(&Ground<'_, '_, S, D>, &[W::Node]) -> Result<(), Error>,
     ) -> Result<(), Error> {
-        if !S::WRAPS || !cells.grid().has_walls() {
+        if !S::WRAPS {
             return Ok(());
         }
         let shares = ledger.shares.iter().flatten();

@@ -100,7 +100,8 @@ where
                         })
                     },
                 )?;
-                engine.evaluate(&law, &cells, nodes, sums)?;
+                // Proven: the image in a closed wall shows what the particle does.
+                engine.sweep(&law, &cells, nodes, sums)?;
                 self.join(&law, &cells, nodes, sums, time);
                 let own = law.own_radius();
                 for (settled, &id) in sums.iter_mut().zip(cells.order()) {

@@ -47,7 +47,7 @@ pub enum SetupError {
     },
     /// A lattice of far more points than were asked for.
     #[error(
-        "the lattice that fits has {fitted:.3e} particles where {asked:.3e} were asked for: \
+        "the lattice that fits has {fitted:.3e} particles where {asked:.0} were asked for: \
          the box is thinner than their spacing in some direction"
     )]
     #[diagnostic(help(

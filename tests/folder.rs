@@ -102,7 +102,7 @@ fn a_run_that_is_refused_leaves_nothing() {
     let wrong: [(&[&str], i32); 4] = [
         (&["--set", "time.end=-1"], 2),
         (&["--set", "cut-off.eta=1e3"], 2),
-        (&["--set", "cut-off.epsilon=1e-9"], 1),
+        (&["--set", "cut-off.epsilon=0.035"], 1),
         (&["--set", "time.end=1e12"], 1),
     ];
     for (more, code) in wrong {

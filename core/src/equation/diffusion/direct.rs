@@ -9,7 +9,7 @@ use crate::scalar::{Number, Scalar};
 
 use super::mean::Mean;
 use super::node::{DiffusionNode, DiffusionSums};
-use super::passage::{Walls, end_of};
+use super::wall::{Walls, end_of};
 
 /// `dq_k/dt = Σ_l w_k w_l (b_k + b_l)(u_l - u_k) ∇ζ_kl·(x_l - x_k)/|x_l - x_k|²` (4.6), one ε.
 ///

@@ -10,8 +10,7 @@ use crate::scalar::{Number, Scalar};
 
 use super::direct::{imaged, prove_walls};
 use super::node::{DiffusionNode, DiffusionSums};
-use super::passage::{Walls, end_of};
-use super::wall::Condition;
+use super::wall::{Condition, Walls, end_of};
 
 record! {
     /// What a particle shows in the second pass: also its flux.

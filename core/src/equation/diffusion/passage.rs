@@ -11,7 +11,7 @@ use super::ledger::{Ledger, Share};
 use super::mixed::{Divergence, MixedNode};
 use super::node::DiffusionNode;
 use super::problem::DiffusionProblem;
-use super::wall::Condition;
+use super::wall::{Condition, Walls, end_of};
 use crate::cloud::{Register, VelocityField};
 use crate::cutoff::CutOff;
 use crate::domain::{Side, Wall};
@@ -20,9 +20,6 @@ use crate::neighbours::{Cells, Image, code};
 use crate::numbered::numbered;
 use crate::pairs::{Engine, Ground, Law, Partner, each_image, each_partner};
 use crate::scalar::Scalar;
-
-/// The conditions at all walls, by direction, end and species.
-pub(super) type Walls<S, const D: usize, const P: usize> = [[[Condition<S>; P]; 2]; D];
 
 impl<S, C, B, A, const D: usize, const P: usize> DiffusionDynamics<S, C, B, A, D, P>
 where
@@ -444,14 +441,6 @@ fn shared<S: Scalar, const D: usize, const P: usize>(
         }
     }
     shared
-}
-
-/// The conditions at a wall.
-pub(super) fn end_of<'a, S: Scalar, const D: usize, const P: usize>(
-    walls: &'a Walls<S, D, P>,
-    wall: &Wall<S>,
-) -> Option<&'a [Condition<S>; P]> {
-    walls.get(wall.axis).and_then(|ends| ends.get(wall.end))
 }
 
 /// Whether no species passes.

@@ -1,5 +1,6 @@
 //! What holds at a wall, as what is seen behind it.
 
+use crate::domain::Wall;
 use crate::scalar::Scalar;
 
 /// A boundary condition. `n` points out of the domain; a flux is `-b ∂u/∂n`, positive outwards.
@@ -18,6 +19,17 @@ pub enum Condition<S> {
         /// `u` beyond it.
         outside: S,
     },
+}
+
+/// The conditions at all walls, by direction, end and species.
+pub(super) type Walls<S, const D: usize, const P: usize> = [[[Condition<S>; P]; 2]; D];
+
+/// The conditions at a wall.
+pub(super) fn end_of<'a, S: Scalar, const D: usize, const P: usize>(
+    walls: &'a Walls<S, D, P>,
+    wall: &Wall<S>,
+) -> Option<&'a [Condition<S>; P]> {
+    walls.get(wall.axis).and_then(|ends| ends.get(wall.end))
 }
 
 impl<S: Scalar> Condition<S> {

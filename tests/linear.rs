@@ -246,7 +246,7 @@ fn fixed_point_solves_systems_in_the_plane() {
     let reference = error("maxwell-te", "f64");
     let wide = error("maxwell-te", "q31.32");
     assert!((wide / reference - 1.0).abs() < 1e-3, "{wide} {reference}");
-    let narrow = error("maxwell-te", "q12.19");
+    let narrow = error("maxwell-te", "q15.16");
     assert!(narrow < 2.0 * reference, "{narrow} {reference}");
 }
 

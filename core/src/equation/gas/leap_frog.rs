@@ -99,13 +99,18 @@ where
         if !(dt > S::ZERO) || !(before > S::ZERO) || beyond == Some(Beyond::Inflow) {
             return row.energy.greater(S::ZERO);
         }
+        if beyond.is_some() {
+            // What goes out loses its partners, and with them its density, to the open side.
+            let gained = dt * (row.internal_power(self.physics.energy()) / row.mass);
+            return (*row.energy + gained).greater(S::ZERO);
+        }
         let heat = row.half_heat(dt);
         let mut energy = *row.energy + heat;
         if let Some(law) = self.materials.get(usize::from(row.material)) {
             energy = law.compressed([before, density], energy);
         }
         // Elsewhere the forces say what the energy is.
-        if self.physics.energy() == EnergyForm::LeapFrog || beyond.is_some() {
+        if self.physics.energy() == EnergyForm::LeapFrog {
             *row.energy = energy;
         }
         (energy + heat).greater(S::ZERO)
@@ -139,6 +144,15 @@ impl<S: Scalar, const D: usize> Row<'_, S, D> {
         }
     }
 
+    /// `m de/dt` as `power` has it.
+    #[inline(always)]
+    pub(super) fn internal_power(&self, form: EnergyForm) -> S {
+        match form {
+            EnergyForm::Total => *self.power - S::dot(self.velocity, self.force),
+            EnergyForm::LeapFrog | EnergyForm::Exact => *self.power,
+        }
+    }
+
     /// What the heat of a moment adds to the internal energy in half a step.
     #[inline(always)]
     fn half_heat(&self, dt: S) -> S {
@@ -152,7 +166,7 @@ impl<S: Scalar, const D: usize> Row<'_, S, D> {
         *self.energy += self.half_heat(dt);
     }
 
-    /// Both halves of a step of the total energy.
+    /// Both halves of a step by a power and the one that takes its place.
     #[inline(always)]
     pub(super) fn flow(&mut self, dt: S, power: S) {
         let half = dt.half();

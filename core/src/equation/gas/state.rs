@@ -224,9 +224,10 @@ impl<S: Scalar, const D: usize> Row<'_, S, D> {
     /// normal; its energy answers to compression alone.
     #[inline(always)]
     pub(super) fn leave(&mut self, dt: S, normal: [S; D], wave: Wave<S>, form: EnergyForm) {
+        *self.power = self.internal_power(form);
         let push = -(self.mass * (wave.sound_speed * wave.divergence));
         self.kick(dt, normal.map(|component| push * component));
-        *self.power = wave.power;
+        self.flow(dt, wave.power);
         if form == EnergyForm::Total {
             *self.power += S::dot(self.velocity, self.force);
         }

@@ -3,12 +3,13 @@
 use crate::cutoff::{CutOff, Needs, Parts, Peaks, Shape, Shapes};
 use crate::domain::Wall;
 use crate::error::{Error, Quantity};
-use crate::neighbours::Cells;
+use crate::neighbours::{Cells, code};
 use crate::numbered::numbered;
 use crate::scalar::{Enclosure, Number, Scalar};
 
 use super::proof::{Ground, Largest, holds};
 pub(super) use super::record::Fields;
+use super::visit::{Partner, each_image, each_partner};
 
 /// What lies between the particles of a pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,6 +36,26 @@ impl<S: Scalar, const D: usize> Separation<S, D> {
             r,
             distance_squared,
             zeta: Shapes::of::<W::CutOff, D>(law.cut_off(), W::NEEDS, distance_squared, scales),
+        }
+    }
+
+    /// The same as intervals of one value each.
+    fn enclosed(&self) -> Separation<Enclosure<S>, D> {
+        let of = Enclosure::splat;
+        let shape = |shape: &Shape<S>| Shape {
+            value: of(shape.value),
+            gradient: of(shape.gradient),
+            curvature: of(shape.curvature),
+            within: of(shape.within),
+        };
+        Separation {
+            r: self.r.map(of),
+            distance_squared: of(self.distance_squared),
+            zeta: Shapes {
+                k: shape(&self.zeta.k),
+                l: shape(&self.zeta.l),
+                distance: of(self.zeta.distance),
+            },
         }
     }
 }
@@ -120,13 +141,14 @@ impl<Node, Sums> Settled<Node, Sums> {
 }
 
 /// Evaluates a law once, over the intervals of all that its particles and their images show: every sum
-/// and product on the way is in what comes out.
+/// and product on the way is in what comes out. Where that proves nothing, [`by_pairs`].
 pub fn by_intervals<S: Scalar, const D: usize, W: Law<S, D>>(
     law: &W,
     ground: &Ground<'_, '_, S, D>,
     nodes: &[W::Node],
 ) -> Result<(), Error> {
-    by_intervals_of(law, ground, nodes, |node, wall| law.reflected(node, wall))
+    let image = |node: &W::Node, wall: &Wall<S>| law.reflected(node, wall);
+    by_intervals_of(law, ground, nodes, image).or_else(|_| by_pairs(law, ground, nodes, image))
 }
 
 /// The same where other images than those of the law stand behind the walls.
@@ -159,16 +181,66 @@ pub fn by_intervals_of<S: Scalar, const D: usize, W: Law<S, D>>(
         }
         worst
     };
-    let bound = worst(&hull);
-    if holds::<S>(W::MAKES, 0, bound).is_ok() {
-        return Ok(());
-    }
-    // Whose it is costs a look at each of them.
+    holds::<S>(W::MAKES, 0, worst(&hull))
+}
+
+/// Looks at every pair by itself: what the bounds of all of them at once could not prove, and who it is
+/// that leaves the range.
+///
+/// Every product and every partial sum, in the order of summation, as an interval that holds what the
+/// format makes of it. Dear, so it is the last resort. `image` as for [`by_intervals_of`].
+#[inline(never)]
+pub fn by_pairs<S: Scalar, const D: usize, W: Law<S, D>>(
+    law: &W,
+    ground: &Ground<'_, '_, S, D>,
+    nodes: &[W::Node],
+    image: impl Fn(&W::Node, &Wall<S>) -> W::Node,
+) -> Result<(), Error> {
+    let cells = ground.cells;
+    let walls = cells.grid().walls();
+    // What the partners count beyond their number: shares of walls.
+    let excess = ground.partners / (cells.most_partners() as f64).max(1.0);
+    let excess = if excess > 1.0 { excess } else { 1.0 };
     let mut largest = Largest::default();
     for (place, node) in numbered(nodes) {
-        largest.see(place, worst(&node.splat::<Enclosure<S>>()));
+        let k = node.splat::<Enclosure<S>>();
+        let mut to_k = W::Sums::ZERO.splat::<Enclosure<S>>();
+        let mut term = 0.0f64;
+        let mut add = |partner: &Partner<S, D>| {
+            let Some(shown) = nodes.get(partner.place) else {
+                return;
+            };
+            let mut shown = *shown;
+            for (axis, (seen, ends)) in numbered(partner.image.0.into_iter().zip(walls)) {
+                let end = match seen {
+                    code::LOWER_WALL => 0,
+                    code::UPPER_WALL => 1,
+                    _ => continue,
+                };
+                if let Some(position) = ends[end] {
+                    shown = image(
+                        &shown,
+                        &Wall {
+                            axis,
+                            end,
+                            position,
+                        },
+                    );
+                }
+            }
+            let ends = [&node.splat::<S>(), &shown.splat::<S>()];
+            let apart = Separation::of(law, ends, partner.r, partner.distance_squared).enclosed();
+            let l = shown.splat::<Enclosure<S>>();
+            let mut to_l = W::Sums::ZERO.splat::<Enclosure<S>>();
+            law.pair(&k, &l, &apart, &mut to_k, &mut to_l);
+            W::Sums::ZERO.each::<Enclosure<S>>(&to_l, &mut |sum| term = term.max(sum.worst));
+        };
+        each_partner(cells, place, &mut add);
+        each_image(cells, place, &mut add);
+        W::Sums::ZERO.each::<Enclosure<S>>(&to_k, &mut |sum| term = term.max(sum.worst));
+        largest.see(place, excess * term);
     }
-    ground.holds(W::MAKES, Largest { bound, ..largest })
+    ground.holds(W::MAKES, largest)
 }
 
 /// Adds what is seen behind walls.

@@ -17,13 +17,14 @@ mod plain;
 mod proof;
 mod record;
 mod run;
+mod visit;
 
 pub use engine::{Engine, HalfLoop, PlainLoop};
 pub use half::half;
 pub use kernel::{Kernel, Operands, Portable, Receivers, find, sum};
 pub use lanes::{Block, Blocks, List, lanes};
-pub use law::{Law, Separation, Settled, by_intervals, by_intervals_of};
-pub(crate) use partners::{Partner, each_image, each_partner};
+pub use law::{Law, Separation, Settled, by_intervals, by_intervals_of, by_pairs};
 pub use plain::{plain, receive_at};
 pub use proof::{Ground, Largest, holds};
 pub use record::{Fields, Nothing};
+pub(crate) use visit::{Partner, each_image, each_partner};

@@ -14,7 +14,7 @@ use crate::domain::Side;
 use crate::error::Error;
 use crate::neighbours::sort;
 use crate::numbered::numbered;
-use crate::pairs::{Engine, by_intervals_of};
+use crate::pairs::{Engine, by_intervals_of, by_pairs};
 use crate::scalar::Scalar;
 
 impl<S, C, B, A, const D: usize, const P: usize> DiffusionDynamics<S, C, B, A, D, P>
@@ -94,9 +94,13 @@ where
                     ledger,
                     |ground, nodes| {
                         prove_walls(&walls, ground, nodes)?;
-                        by_intervals_of(&law, ground, nodes, |node, wall| {
-                            imaged(node, wall, &walls)
-                        })
+                        let image = |node: &_, wall: &_| imaged(node, wall, &walls);
+                        let proven = by_intervals_of(&law, ground, nodes, image);
+                        match ground.cells.grid().has_walls() {
+                            // What passes walls has products of its own.
+                            true => proven,
+                            false => proven.or_else(|_| by_pairs(&law, ground, nodes, image)),
+                        }
                     },
                 )?;
                 // Proven: the image in a closed wall shows what the particle does.
@@ -149,9 +153,8 @@ where
                     (&cells, shown),
                     ledger,
                     |ground, nodes| {
-                        by_intervals_of(&law, ground, nodes, |node, wall| {
-                            law.behind(node, wall, &walls)
-                        })
+                        let image = |node: &_, wall: &_| law.behind(node, wall, &walls);
+                        by_intervals_of(&law, ground, nodes, image)
                     },
                 )?;
                 engine.evaluate(&law, &cells, shown, sums)?;

@@ -17,7 +17,7 @@
 use crate::cutoff::{CutOff, Needs};
 use crate::domain::Wall;
 use crate::error::Error;
-use crate::pairs::{Ground, Law, Separation};
+use crate::pairs::{Ground, Law, Separation, by_pairs};
 use crate::record;
 use crate::scalar::{Number, Scalar};
 
@@ -228,7 +228,9 @@ macro_rules! law_of_energy {
                 ground: &Ground<'_, '_, S, D>,
                 nodes: &[Self::Node],
             ) -> Result<(), Error> {
-                self.0.prove(ground, nodes, 1.0)
+                self.0.prove(ground, nodes, 1.0).or_else(|_| {
+                    by_pairs(self, ground, nodes, |node, wall| self.reflected(node, wall))
+                })
             }
 
             fn reflected(&self, node: &Self::Node, wall: &Wall<S>) -> Self::Node {

@@ -10,7 +10,7 @@
 use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
 use crate::error::Error;
-use crate::pairs::{Ground, Law, Separation};
+use crate::pairs::{Ground, Law, Separation, by_pairs};
 use crate::record;
 use crate::scalar::{Number, Scalar};
 
@@ -95,6 +95,7 @@ impl<S: Scalar, C: CutOff, const D: usize> Law<S, D> for Gradient<C> {
 
     fn proof(&self, ground: &Ground<'_, '_, S, D>, nodes: &[Self::Node]) -> Result<(), Error> {
         self.prove(ground, nodes)
+            .or_else(|_| by_pairs(self, ground, nodes, |node, wall| self.reflected(node, wall)))
     }
 
     fn reflected(&self, node: &GradientNode<S, D>, wall: &Wall<S>) -> GradientNode<S, D> {

@@ -10,7 +10,7 @@
 use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
 use crate::error::Error;
-use crate::pairs::{Ground, Law, Separation};
+use crate::pairs::{Ground, Law, Separation, by_pairs};
 use crate::scalar::{Number, Scalar};
 
 use super::terms::{Between, NodeOf, NodeOver, Terms};
@@ -152,6 +152,7 @@ where
 
     fn proof(&self, ground: &Ground<'_, '_, S, D>, nodes: &[Self::Node]) -> Result<(), Error> {
         self.prove(ground, nodes, 0.0)
+            .or_else(|_| by_pairs(self, ground, nodes, |node, wall| self.reflected(node, wall)))
     }
 
     fn reflected(&self, node: &Self::Node, wall: &Wall<S>) -> Self::Node {

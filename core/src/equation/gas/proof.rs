@@ -8,7 +8,7 @@ use crate::cutoff::{CutOff, Peaks};
 use crate::error::{Error, Quantity};
 use crate::material::EquationOfState;
 use crate::numbered::numbered;
-use crate::pairs::{Engine, Ground, Largest, Law, holds};
+use crate::pairs::{Engine, Ground, Largest, Law, Partner, each_image, each_partner, holds};
 use crate::scalar::Scalar;
 
 use super::density::{Density, DensityNode};
@@ -72,7 +72,36 @@ impl<S: Scalar, C: CutOff, const D: usize> Density<S, C, D> {
         let each = (squared * peaks.first.max(peaks.second)).max(peaks.value);
         let term = (squared * support * support).max(ground.partners * each);
         let bound = measure.bound * term;
-        ground.holds(Quantity::DensitySum, Largest { bound, ..width })
+        let proven = ground.holds(Quantity::DensitySum, width.with(bound));
+        proven.or_else(|_| Self::prove_each(&peaks, ground, nodes))
+    }
+
+    /// The same of each particle with the partners that it has: dear, and only where the bound of all of
+    /// them at once proves nothing.
+    #[inline(never)]
+    fn prove_each(
+        peaks: &Peaks,
+        ground: &Ground<'_, '_, S, D>,
+        nodes: &[DensityNode<S, D>],
+    ) -> Result<(), Error> {
+        let mut largest = Largest::default();
+        for (place, node) in numbered(nodes) {
+            let (mut sum, mut spread) = (0.0f64, 0.0f64);
+            let mut add = |partner: &Partner<S, D>| {
+                if let Some(l) = nodes.get(partner.place) {
+                    let measure = l.measure.to_f64();
+                    sum += measure;
+                    spread = spread.max(measure.max(1.0) * partner.distance_squared.to_f64());
+                }
+            };
+            each_partner(ground.cells, place, &mut add);
+            each_image(ground.cells, place, &mut add);
+            // Beyond its limit nothing of a width is accepted.
+            let width = node.limit.to_f64();
+            let each = (width * width * peaks.first.max(peaks.second)).max(peaks.value);
+            largest.see(place, spread.max(sum * each));
+        }
+        ground.holds(Quantity::DensitySum, largest)
     }
 }
 

@@ -659,7 +659,18 @@ fn leap_frog_of<const D: usize>(case: &Case<D>) {
                 "velocity",
             );
         }
-        near(gas.energy[k], body.energy, ulp + power, "energy");
+        // What series and approximant of the isentrope leave out, as documented.
+        let [a, b] = [before[k].density, step.found[k].density];
+        let y = ((b - a) / (a + b)).abs();
+        let x = (problem.gamma - 1.0) * (b / a).ln().abs();
+        let series = (problem.gamma - 1.0) * y.powi(15) / 7.0;
+        let isentrope = body.energy * (series + x.powi(9) / 2e7);
+        near(
+            gas.energy[k],
+            body.energy,
+            ulp + power + isentrope,
+            "energy",
+        );
     }
 }
 

@@ -34,7 +34,7 @@ pub(super) fn check(scenario: &LinearScenario, epsilon: f64) -> Result<Option<St
     }
     Ok((lost > TOLD).then(|| {
         format!(
-            "{what} smooths layers over epsilon = {epsilon:e} and loses some {:.1} % of what they \
+            "{what} smooths layers over the width of its cut-off and loses some {:.1} % of what they \
              resist: {cure}, which loses nothing",
             100.0 * lost
         )

@@ -11,6 +11,7 @@ mod growth;
 mod layers;
 mod memory;
 mod plan;
+mod principle;
 mod quadrature;
 mod simulation;
 mod solver;

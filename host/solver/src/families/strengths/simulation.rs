@@ -10,10 +10,11 @@ use motes_core::scalar::Scalar;
 
 use super::balance::{Source, balance};
 use super::description::description;
-use super::doubts::{beyond, thin, undamped};
+use super::doubts::{thin, undamped};
 use super::growth::Monitor;
 use super::memory::CloudArrays;
 use super::plan::Plan;
+use super::principle::beyond;
 use super::solver::Solver;
 use crate::engine::{Holder, HostScalar, Threads};
 use crate::families::apart::{Frame, check_apart};

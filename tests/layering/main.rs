@@ -222,6 +222,7 @@ const KNOWN: [(&str, &str, &[&str]); 14] = [
             "bench.rs",
             "converge.rs",
             "export.rs",
+            "list.rs",
             "mod.rs",
             "run.rs",
             "suite.rs",

@@ -10,6 +10,7 @@ mod telegraph;
 #[path = "../../embedded/src/tube.rs"]
 #[allow(dead_code)]
 mod tube;
+#[allow(clippy::extra_unused_type_parameters)]
 #[path = "../../embedded/src/wall.rs"]
 #[allow(dead_code)]
 mod wall;

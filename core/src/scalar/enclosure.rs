@@ -187,7 +187,7 @@ impl<S: Scalar> Number for Enclosure<S> {
             let (low, high) = a.corners(b, |a, b| a * b);
             let mut product = Self::new(low, high);
             product.worst = larger(a.worst, b.worst);
-            sum = sum + product;
+            sum += product;
         }
         Self::rounded(sum.low, sum.high, [&sum, &sum])
     }

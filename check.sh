@@ -133,7 +133,7 @@ emulate() {
   local board=mps2-an386 elf=embedded/target/$1/release/$2
   [ "$1" != $m0 ] || board=microbit
   shift 2
-  timeout 300 qemu-system-arm -M $board -nographic \
+  timeout 900 qemu-system-arm -M $board -nographic \
     -semihosting-config enable=on,target=native "$@" -kernel "$elf"
 }
 

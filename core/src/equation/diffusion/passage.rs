@@ -208,6 +208,28 @@ where
         proof(&ground, nodes).or_else(|error| engine.unproven(error))
     }
 
+    /// Visits what particles near walls see behind those that let something through: the place and id of
+    /// the particle, and the partner.
+    #[inline(always)]
+    fn each_passage(
+        &self,
+        cells: &Cells<'_, S, D>,
+        shared: &Walls<S, D, P>,
+        mut visit: impl FnMut((usize, u32), &Partner<S, D>),
+    ) {
+        for (place, &id) in numbered(cells.order()) {
+            if !cells.grid().near_wall(&cells.cell(place)) {
+                continue;
+            }
+            each_image(cells, place, |partner| {
+                let mut walls = self.walls_of(&partner.image);
+                if walls.any(|wall| passes(shared, &wall)) {
+                    visit((place, id), partner);
+                }
+            });
+        }
+    }
+
     /// Adds what passes through walls under the direct form.
     #[inline(never)]
     pub(super) fn pass_direct(
@@ -224,60 +246,47 @@ where
         }
         let shared = shared(&walls, ledger);
         let mut final_ids = [[None; 2]; D];
-        for ((place, k), &id) in numbered(nodes).zip(cells.order()) {
-            if !cells.grid().near_wall(&cells.cell(place)) {
-                continue;
-            }
-            let Some(rates) = last.get_mut(id as usize) else {
-                continue;
+        self.each_passage(cells, &shared, |(place, id), partner| {
+            let pair = (nodes.get(place), nodes.get(partner.place));
+            let ((Some(k), Some(l)), Some(rates)) = (pair, last.get_mut(id as usize)) else {
+                return;
             };
-            each_image(cells, place, |partner| {
-                let Some(l) = nodes.get(partner.place) else {
-                    return;
+            let bracket = law.bracket(&partner.apart(law, law.scale));
+            let factor = (k.weight * l.weight) * bracket;
+            let twice = self.twice([k, l], &partner.image, time);
+            let mut value = l.value;
+            for wall in self.walls_of(&partner.image) {
+                let at = (wall.axis, wall.position);
+                let [out_k, out_l] = [k, l].map(|node| self.way_out(node, at, time));
+                let [depth_k, depth_l] = [k, l].map(|node| depth(node, &wall));
+                let Some(conditions) = end_of(&shared, &wall) else {
+                    continue;
                 };
-                if !self
-                    .walls_of(&partner.image)
-                    .any(|wall| passes(&shared, &wall))
-                {
-                    return;
-                }
-                let bracket = law.bracket(&partner.apart(law, law.scale));
-                let factor = (k.weight * l.weight) * bracket;
-                let twice = self.twice([k, l], &partner.image, time);
-                let mut value = l.value;
-                for wall in self.walls_of(&partner.image) {
-                    let at = (wall.axis, wall.position);
-                    let [out_k, out_l] = [k, l].map(|node| self.way_out(node, at, time));
-                    let [depth_k, depth_l] = [k, l].map(|node| depth(node, &wall));
-                    let Some(conditions) = end_of(&shared, &wall) else {
-                        continue;
+                let Some(intakes) = ledger.wall(wall.axis, wall.end) else {
+                    continue;
+                };
+                mark(&mut final_ids, &wall, id);
+                for j in 0..P {
+                    let seen = conditions[j].image(value[j], out_l[j], depth_l);
+                    let term = match conditions[j] {
+                        Condition::NoFlux => continue,
+                        Condition::Flux(flux) => {
+                            // Of the way, the part behind the wall, by resistance.
+                            let (k, l) = (depth_k * out_l[j], depth_l * out_k[j]);
+                            let behind = match out_k[j] == out_l[j] || !(k + l > S::ZERO) {
+                                true => depth_l,
+                                false => (depth_k + depth_l) * (l / (k + l)),
+                            };
+                            -(factor * (behind + behind)) * (flux + flux)
+                        }
+                        _ => factor * (twice[j] * (seen - value[j])),
                     };
-                    let Some(intakes) = ledger.wall(wall.axis, wall.end) else {
-                        continue;
-                    };
-                    mark(&mut final_ids, &wall, id);
-                    for j in 0..P {
-                        let seen = conditions[j].image(value[j], out_l[j], depth_l);
-                        let term = match conditions[j] {
-                            Condition::NoFlux => continue,
-                            Condition::Flux(flux) => {
-                                // Of the way, the part behind the wall, by resistance.
-                                let (k, l) = (depth_k * out_l[j], depth_l * out_k[j]);
-                                let behind = match out_k[j] == out_l[j] || !(k + l > S::ZERO) {
-                                    true => depth_l,
-                                    false => (depth_k + depth_l) * (l / (k + l)),
-                                };
-                                -(factor * (behind + behind)) * (flux + flux)
-                            }
-                            _ => factor * (twice[j] * (seen - value[j])),
-                        };
-                        rates.strength[j] += term;
-                        intakes[j].last += term;
-                        value[j] = seen;
-                    }
+                    rates.strength[j] += term;
+                    intakes[j].last += term;
+                    value[j] = seen;
                 }
-            });
-        }
+            }
+        });
         self.settle(&walls, &final_ids, (last, ledger));
     }
 
@@ -298,87 +307,79 @@ where
         let shared = shared(&walls, ledger);
         let inverse = law.first.inverse_epsilon;
         let mut final_ids = [[None; 2]; D];
-        for ((place, k), &id) in numbered(nodes).zip(cells.order()) {
-            if !cells.grid().near_wall(&cells.cell(place)) {
-                continue;
+        self.each_passage(cells, &shared, |(place, id), partner| {
+            let pair = (nodes.get(place), nodes.get(partner.place));
+            let ((Some(k), Some(l)), Some(rates)) = (pair, last.get_mut(id as usize)) else {
+                return;
+            };
+            let n = partner.r.map(|r| r * inverse);
+            let apart = partner.apart(law, law.first.scale);
+            let factor = (k.node.weight * l.node.weight) * law.first.factor(&apart);
+            // What each wall adds to the flux of the image of a closed one; later walls reflect it.
+            let mut added = [[[S::ZERO; D]; P]; D];
+            // And to what its share of the direct form conducts.
+            let mut conducted = [[S::ZERO; P]; D];
+            let (mut node, mut seen) = (*l, l.node);
+            for wall in self.walls_of(&partner.image) {
+                let closed = law.reflected(&node, &wall);
+                let before = seen.value;
+                seen = imaged(&seen, &wall, &walls);
+                node = law.behind(&node, &wall, &shared);
+                let depth = depth(&l.node, &wall);
+                let conditions = end_of(&shared, &wall);
+                if let (Some(conducted), Some(conditions)) =
+                    (conducted.get_mut(wall.axis), conditions)
+                {
+                    for j in 0..P {
+                        let b = k.node.diffusivity[j] + l.node.diffusivity[j];
+                        conducted[j] = match conditions[j] {
+                            Condition::Flux(flux) => {
+                                let twice = depth + depth;
+                                -(twice + twice) * flux
+                            }
+                            _ => b * (seen.value[j] - before[j]),
+                        };
+                    }
+                }
+                for flux in added.iter_mut().flatten() {
+                    if let Some(component) = flux.get_mut(wall.axis) {
+                        *component = -*component;
+                    }
+                }
+                let Some(added) = added.get_mut(wall.axis) else {
+                    continue;
+                };
+                for j in 0..P {
+                    for i in 0..D {
+                        added[j][i] = node.flux[j][i] - closed.flux[j][i];
+                    }
+                }
+                mark(&mut final_ids, &wall, id);
             }
+            for wall in self.walls_of(&partner.image) {
+                let (Some(intakes), Some(added), Some(conducted)) = (
+                    ledger.wall(wall.axis, wall.end),
+                    added.get(wall.axis),
+                    conducted.get(wall.axis),
+                ) else {
+                    continue;
+                };
+                for j in 0..P {
+                    let sum = S::dot(&added[j], &n) + law.share * conducted[j];
+                    let term = -(factor * sum);
+                    rates.strength[j] += term;
+                    intakes[j].last += term;
+                }
+            }
+        });
+        // What the share of the direct form exchanges has been paid.
+        let own = S::ONE - law.share;
+        let shares = ledger.shares;
+        for (k, &id) in nodes.iter().zip(cells.order()) {
             let Some(rates) = last.get_mut(id as usize) else {
                 continue;
             };
-            each_image(cells, place, |partner| {
-                let Some(l) = nodes.get(partner.place) else {
-                    return;
-                };
-                if !self
-                    .walls_of(&partner.image)
-                    .any(|wall| passes(&shared, &wall))
-                {
-                    return;
-                }
-                let n = partner.r.map(|r| r * inverse);
-                let apart = partner.apart(law, law.first.scale);
-                let factor = (k.node.weight * l.node.weight) * law.first.factor(&apart);
-                // What each wall adds to the flux of the image of a closed one; later walls reflect it.
-                let mut added = [[[S::ZERO; D]; P]; D];
-                // And to what its share of the direct form conducts.
-                let mut conducted = [[S::ZERO; P]; D];
-                let (mut node, mut seen) = (*l, l.node);
-                for wall in self.walls_of(&partner.image) {
-                    let closed = law.reflected(&node, &wall);
-                    let before = seen.value;
-                    seen = imaged(&seen, &wall, &walls);
-                    node = law.behind(&node, &wall, &shared);
-                    let depth = depth(&l.node, &wall);
-                    let conditions = end_of(&shared, &wall);
-                    if let (Some(conducted), Some(conditions)) =
-                        (conducted.get_mut(wall.axis), conditions)
-                    {
-                        for j in 0..P {
-                            let b = k.node.diffusivity[j] + l.node.diffusivity[j];
-                            conducted[j] = match conditions[j] {
-                                Condition::Flux(flux) => {
-                                    let twice = depth + depth;
-                                    -(twice + twice) * flux
-                                }
-                                _ => b * (seen.value[j] - before[j]),
-                            };
-                        }
-                    }
-                    for flux in added.iter_mut().flatten() {
-                        if let Some(component) = flux.get_mut(wall.axis) {
-                            *component = -*component;
-                        }
-                    }
-                    let Some(added) = added.get_mut(wall.axis) else {
-                        continue;
-                    };
-                    for j in 0..P {
-                        for i in 0..D {
-                            added[j][i] = node.flux[j][i] - closed.flux[j][i];
-                        }
-                    }
-                    mark(&mut final_ids, &wall, id);
-                }
-                for wall in self.walls_of(&partner.image) {
-                    let (Some(intakes), Some(added), Some(conducted)) = (
-                        ledger.wall(wall.axis, wall.end),
-                        added.get(wall.axis),
-                        conducted.get(wall.axis),
-                    ) else {
-                        continue;
-                    };
-                    for j in 0..P {
-                        let sum = S::dot(&added[j], &n) + law.share * conducted[j];
-                        let term = -(factor * sum);
-                        rates.strength[j] += term;
-                        intakes[j].last += term;
-                    }
-                }
-            });
             let node = &k.node;
-            let shares = ledger.shares;
-            // What the share of the direct form exchanges has been paid.
-            let own = S::ONE - law.share;
             self.at_exchanges(&walls, &shares, node, |wall, j, (factor, outside)| {
                 let difference = own * (node.value[j] - outside);
                 let term = -(node.weight * (factor * difference));

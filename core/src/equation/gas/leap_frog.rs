@@ -77,16 +77,7 @@ where
         }
         Ok(())
     }
-}
 
-impl<S, C, V, E, P, const D: usize> GasDynamics<'_, S, C, V, E, P, D>
-where
-    S: Scalar,
-    C: CutOff,
-    V: Viscosity<S>,
-    E: EquationOfState<S>,
-    P: Physics<S, D>,
-{
     /// Gives a particle the density at the end of its drift. Returns the internal energy that its
     /// pressure is made of: heated for half a step, compressed, and heated by as much again, where
     /// the heat of the end is not known yet; it is kept from falling below 0.

@@ -1,14 +1,16 @@
 //! The run that can be held: the same bits as its parts called one by one, the last good state after
 //! an error, and a state that can be written down and read back.
 
+mod small_tube;
+
 use motes_core::cloud::{Column, ColumnMut, Columns, Particle, Still};
 use motes_core::cutoff::{CubicSpline, QuinticSpline};
-use motes_core::domain::{Axis, Domain, Side};
+use motes_core::domain::{Axis, Domain};
 use motes_core::equation::diffusion::{
     DiffusionDynamics, DiffusionStorage, Drive, DrivenCondition, Form, Mean, NamedProblem,
 };
 use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
-use motes_core::equation::gas::{GasDynamics, Plain, PlainStorage, Stretch, Tube, Width};
+use motes_core::equation::gas::{GasDynamics, Plain, PlainStorage};
 use motes_core::equation::linear::systems::{Acoustics, Units};
 use motes_core::equation::linear::{LinearDynamics, LinearStorage};
 use motes_core::error::{Error, Parameter};
@@ -16,6 +18,7 @@ use motes_core::integrator::{Clock, DiffusionMethod, LeapFrog, RK4, Scheme, Step
 use motes_core::material::IdealGas;
 use motes_core::neighbours::cell_bound;
 use motes_core::pairs::{HalfLoop, Nothing};
+use small_tube::TUBE;
 
 const N: usize = 96;
 const CELLS: usize = cell_bound(N as u32) as usize + 1;
@@ -26,32 +29,6 @@ type LineMemory = LinearStorage<f64, Nothing, 1, 2, N, CELLS>;
 type Line = LinearDynamics<f64, QuinticSpline, Acoustics<f64>, Still, 1, 2>;
 type WallMemory = DiffusionStorage<f64, 1, 1, N, CELLS>;
 type Wall = DiffusionDynamics<f64, QuinticSpline, NamedProblem<'static, f64, 1, 1>, Still, 1, 1>;
-
-const DENSE: Stretch = Stretch {
-    lower: -32.0,
-    upper: 0.0,
-    particles: 64,
-    mass: 0.5,
-    velocity: 0.0,
-    energy: 1.8,
-};
-const TUBE: Tube = Tube {
-    half_length: 32.0,
-    sides: [Side::Mirror; 2],
-    stretches: &[
-        DENSE,
-        Stretch {
-            lower: 0.0,
-            upper: 32.0,
-            particles: 8,
-            ..DENSE
-        },
-    ],
-    gamma: 1.4,
-    width: Width::Adaptive { eta: 1.2 },
-    courant: 0.3,
-    end: 8.0,
-};
 
 fn gas(materials: &[IdealGas<f64>; 1]) -> Gas<'_> {
     TUBE.solver(CubicSpline, Pairwise(Coefficients::usual()), materials)

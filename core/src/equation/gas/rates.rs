@@ -62,8 +62,8 @@ where
         };
         let sigma = S::from_f64(self.cut_off.normalisation::<D>());
         for ((node, settled), &id) in nodes.iter_mut().zip(densities).zip(cells.order()) {
-            if let Some(mut row) = gas.row(id) {
-                *node = self.gas_node(&settled.node, &mut row, sigma, dt);
+            if let Some(row) = gas.row(id) {
+                *node = self.gas_node(&settled.node, &row, sigma, dt);
             }
         }
         let mut cloud = Sorted {
@@ -105,13 +105,13 @@ where
     fn gas_node(
         &self,
         settled: &DensityNode<S, D>,
-        row: &mut Row<'_, S, D>,
+        row: &Row<'_, S, D>,
         sigma: S,
         dt: S,
     ) -> NodeOf<S, P, D> {
         let velocity = row.predicted(dt);
         let (density, epsilon) = (self.density(row.mass, settled.density), settled.epsilon);
-        let energy = self.compress(row, density, dt);
+        let energy = self.expected_energy(row, density, dt);
         let (pressure, sound_speed) = self.pressure(row.material, density, energy);
         GasNode {
             mass: row.mass,
@@ -196,6 +196,7 @@ where
                     row.leave(dt, normal, wave, self.physics.energy());
                 }
             }
+            *row.density = node.density;
             if !has_gradients {
                 *row.divergence = divergence;
                 *row.viscosity_factor = S::ONE;
@@ -224,8 +225,8 @@ where
         row.kick(dt, self.with_external(node.mass, sums.force));
         match self.physics.energy() {
             EnergyForm::LeapFrog => {
-                *row.power = node.measure * (node.pressure * sums.compression) + sums.power;
-                row.warm(dt, heat);
+                let power = node.measure * (node.pressure * sums.compression) + sums.power;
+                self.close_energy(row, node.density, [power, heat], dt);
             }
             EnergyForm::Exact | EnergyForm::Total => *row.heat = heat,
         }

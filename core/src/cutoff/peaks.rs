@@ -5,7 +5,7 @@ use crate::scalar::Scalar;
 
 /// Bounds of the magnitudes of a shape and of its derivatives, `q` from 0 to the support.
 ///
-/// The largest of seventeen values, and an eighth more: a test of all cut-offs holds that to be enough.
+/// The largest of nine values, and a quarter more: a test of all cut-offs holds that to be enough.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Peaks {
     /// Of `z`.
@@ -25,13 +25,14 @@ pub struct Peaks {
 impl Peaks {
     /// Those of a cut-off; made in `S`, which a device without `f64` does sooner.
     pub fn of<S: Scalar, C: CutOff, const D: usize>(cut_off: C, curved: bool) -> Self {
-        const POINTS: u32 = 16;
-        let support = S::count(cut_off.support());
+        const POINTS: u32 = 8;
+        let step = S::count(cut_off.support()) / S::count(POINTS);
+        let scale = cut_off.scale(S::ONE);
         let mut peaks = [S::ZERO; 6];
         for i in 0..=POINTS {
-            let q = S::count(i) * support / S::count(POINTS);
+            let q = S::count(i) * step;
             let squared = q * q;
-            let a = cut_off.argument(squared) * cut_off.scale(S::ONE);
+            let a = cut_off.argument(squared) * scale;
             let slope = cut_off.gradient::<D, S>(a);
             let mut values = [
                 cut_off.value::<D, S>(a),
@@ -51,7 +52,7 @@ impl Peaks {
             }
         }
         let [value, gradient, slope, first, curvature, second] =
-            peaks.map(|peak| 1.125 * peak.to_f64());
+            peaks.map(|peak| 1.25 * peak.to_f64());
         Self {
             value,
             gradient,

@@ -50,11 +50,11 @@ pub trait EquationOfState<S: Scalar>: Copy + Send + Sync {
         true
     }
     /// A bound of all that the two make on their way, of densities from the first to the second and
-    /// energies up to `energy` in magnitude: what a proof that a format holds them goes by. 0 of a
-    /// law that says nothing.
+    /// energies up to `energy` in magnitude: what a proof that a format holds them goes by. Infinite
+    /// where nothing is said, and such a format then refuses the run.
     fn largest(&self, densities: [f64; 2], energy: f64) -> f64 {
         let _ = (densities, energy);
-        0.0
+        f64::INFINITY
     }
 }
 

@@ -5,6 +5,7 @@ use crate::domain::Wall;
 use crate::error::{Error, Quantity};
 use crate::neighbours::{Cells, code};
 use crate::numbered::numbered;
+use crate::scalar::enclosure::worse;
 use crate::scalar::{Enclosure, Number, Scalar};
 
 use super::proof::{Ground, Largest, holds};
@@ -162,21 +163,25 @@ pub fn by_intervals_of<S: Scalar, const D: usize, W: Law<S, D>>(
     let Some(first) = nodes.first() else {
         return Ok(());
     };
-    let mut hull = first.splat::<Enclosure<S>>();
+    let mut ends = first.splat::<Enclosure<S>>();
     for node in nodes {
-        W::Node::set_lane::<Enclosure<S>>(&mut hull, 0, node);
+        W::Node::set_lane::<Enclosure<S>>(&mut ends, 0, node);
     }
-    add_images::<S, D, W>(image, ground.cells, nodes, &mut hull);
+    add_images::<S, D, W>(image, ground.cells, nodes, &mut ends);
+    // Compared as they are, and turned into f64 once.
+    let [low, high] = [0, 1].map(|end| W::Node::lane::<Enclosure<S>>(&ends, end));
+    let mut hull = low.splat::<Enclosure<S>>();
+    W::Node::set_lane::<Enclosure<S>>(&mut hull, 1, &high);
     let apart = farthest(law, ground.reach);
     let worst = |k: &<W::Node as Fields<S>>::Of<Enclosure<S>>| {
         let mut sums = [W::Sums::ZERO.splat::<Enclosure<S>>(); 2];
         let [to_k, to_l] = &mut sums;
-        law.pair(k, &hull, &apart, to_k, to_l);
+        pair_over(law, [k, &hull], &apart, [to_k, to_l]);
         let mut worst = 0.0f64;
         for of in &sums {
             W::Sums::ZERO.each::<Enclosure<S>>(of, &mut |sum| {
-                let term = (-sum.low).max(sum.high);
-                worst = worst.max(sum.worst).max(ground.partners * term);
+                let all = ground.partners * worse(sum.low, sum.high);
+                worst = worse(worst, worse(sum.worst, all));
             });
         }
         worst
@@ -232,15 +237,26 @@ pub fn by_pairs<S: Scalar, const D: usize, W: Law<S, D>>(
             let apart = Separation::of(law, ends, partner.r, partner.distance_squared).enclosed();
             let l = shown.splat::<Enclosure<S>>();
             let mut to_l = W::Sums::ZERO.splat::<Enclosure<S>>();
-            law.pair(&k, &l, &apart, &mut to_k, &mut to_l);
-            W::Sums::ZERO.each::<Enclosure<S>>(&to_l, &mut |sum| term = term.max(sum.worst));
+            pair_over(law, [&k, &l], &apart, [&mut to_k, &mut to_l]);
+            W::Sums::ZERO.each::<Enclosure<S>>(&to_l, &mut |sum| term = worse(term, sum.worst));
         };
         each_partner(cells, place, &mut add);
         each_image(cells, place, &mut add);
-        W::Sums::ZERO.each::<Enclosure<S>>(&to_k, &mut |sum| term = term.max(sum.worst));
+        W::Sums::ZERO.each::<Enclosure<S>>(&to_k, &mut |sum| term = worse(term, sum.worst));
         largest.see(place, excess * term);
     }
     ground.holds(W::MAKES, largest)
+}
+
+/// [`Law::pair`] over intervals: a function of its own, as it is long and no loop has to have it.
+#[inline(never)]
+fn pair_over<S: Scalar, const D: usize, W: Law<S, D>>(
+    law: &W,
+    [k, l]: [&<W::Node as Fields<S>>::Of<Enclosure<S>>; 2],
+    apart: &Separation<Enclosure<S>, D>,
+    [to_k, to_l]: [&mut <W::Sums as Fields<S>>::Of<Enclosure<S>>; 2],
+) {
+    law.pair(k, l, apart, to_k, to_l);
 }
 
 /// Adds what is seen behind walls.

@@ -27,8 +27,18 @@ fn larger(a: f64, b: f64) -> f64 {
     if a >= b { a } else { b }
 }
 
-fn size(low: f64, high: f64) -> f64 {
-    larger(-low, high)
+/// Whether an interval reaches as far below 0 as above, as most of what a proof sees do: half the work.
+#[inline(always)]
+fn is_even(low: f64, high: f64) -> bool {
+    low.to_bits() == (-high).to_bits()
+}
+
+/// The larger of two magnitudes, by their bits: a device without `f64` has them sooner than values. No
+/// number beats all others here too.
+#[inline(always)]
+pub(crate) fn worse(a: f64, b: f64) -> f64 {
+    let [a, b] = [a, b].map(|x| x.abs().to_bits());
+    f64::from_bits(if a >= b { a } else { b })
 }
 
 impl<S: Scalar> Enclosure<S> {
@@ -37,7 +47,7 @@ impl<S: Scalar> Enclosure<S> {
         Self {
             low,
             high,
-            worst: size(low, high),
+            worst: worse(low, high),
             ends: [S::ZERO; 2],
         }
     }
@@ -50,7 +60,7 @@ impl<S: Scalar> Enclosure<S> {
     fn of(low: f64, high: f64, from: [&Self; 2]) -> Self {
         let mut made = Self::new(low, high);
         for operand in from {
-            made.worst = larger(made.worst, operand.worst);
+            made.worst = worse(made.worst, operand.worst);
         }
         made
     }
@@ -58,7 +68,29 @@ impl<S: Scalar> Enclosure<S> {
     /// The same, wider by a unit of the last place.
     fn rounded(low: f64, high: f64, from: [&Self; 2]) -> Self {
         let unit = S::TINIEST.to_f64();
-        Self::of(low - unit, high + unit, from)
+        let above = high + unit;
+        match is_even(low, high) {
+            true => Self::of(-above, above, from),
+            false => Self::of(low - unit, above, from),
+        }
+    }
+
+    /// The range of sums.
+    fn sums(&self, [low, high]: [f64; 2]) -> (f64, f64) {
+        let sum = self.high + high;
+        match is_even(self.low, self.high) && is_even(low, high) {
+            true => (-sum, sum),
+            false => (self.low + low, sum),
+        }
+    }
+
+    /// The range of products.
+    fn products(&self, other: &Self) -> (f64, f64) {
+        if is_even(self.low, self.high) || is_even(other.low, other.high) {
+            let product = worse(self.low, self.high) * worse(other.low, other.high);
+            return (-product, product);
+        }
+        self.corners(other, |a, b| a * b)
     }
 
     fn corners(&self, other: &Self, operation: impl Fn(f64, f64) -> f64) -> (f64, f64) {
@@ -75,21 +107,15 @@ impl<S: Scalar> Enclosure<S> {
 impl<S: Scalar> Add for Enclosure<S> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self::of(
-            self.low + other.low,
-            self.high + other.high,
-            [&self, &other],
-        )
+        let (low, high) = self.sums([other.low, other.high]);
+        Self::of(low, high, [&self, &other])
     }
 }
 impl<S: Scalar> Sub for Enclosure<S> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        Self::of(
-            self.low - other.high,
-            self.high - other.low,
-            [&self, &other],
-        )
+        let (low, high) = self.sums([-other.high, -other.low]);
+        Self::of(low, high, [&self, &other])
     }
 }
 impl<S: Scalar> Neg for Enclosure<S> {
@@ -101,7 +127,7 @@ impl<S: Scalar> Neg for Enclosure<S> {
 impl<S: Scalar> Mul for Enclosure<S> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        let (low, high) = self.corners(&other, |a, b| a * b);
+        let (low, high) = self.products(&other);
         Self::rounded(low, high, [&self, &other])
     }
 }
@@ -142,24 +168,23 @@ impl<S: Scalar> Number for Enclosure<S> {
             ..Self::new(x, x)
         }
     }
-    /// Takes the value in, whatever the lane.
+    /// Takes the value in: in lane 0 as a possible end, which [`Number::lane`] tells; in others as a
+    /// value of the interval.
     #[inline(always)]
-    fn set_lane(&mut self, _: usize, value: S) {
-        // Ends are turned into f64 where they move alone: a cloud has few such places.
-        if value < self.ends[0] {
-            self.ends[0] = value;
-            self.low = value.to_f64();
-            self.worst = larger(self.worst, -self.low);
-        }
-        if value > self.ends[1] {
-            self.ends[1] = value;
-            self.high = value.to_f64();
-            self.worst = larger(self.worst, self.high);
+    fn set_lane(&mut self, i: usize, value: S) {
+        self.ends[0] = self.ends[0].lesser(value);
+        self.ends[1] = self.ends[1].greater(value);
+        if i > 0 {
+            let x = value.to_f64();
+            self.low = -larger(-self.low, -x);
+            self.high = larger(self.high, x);
+            self.worst = worse(self.worst, worse(self.low, self.high));
         }
     }
-    /// The upper end.
-    fn lane(&self, _: usize) -> S {
-        S::from_f64(self.high)
+    /// Lane 0 is the lower end, every other one the upper end, of what was taken in.
+    #[inline(always)]
+    fn lane(&self, i: usize) -> S {
+        self.ends[usize::from(i > 0)]
     }
     fn sqrt(self) -> Self {
         let root = |x: f64| libm::sqrt(larger(x, 0.0));
@@ -184,9 +209,9 @@ impl<S: Scalar> Number for Enclosure<S> {
         let mut sum = Self::new(0.0, 0.0);
         for (a, b) in a.iter().zip(b) {
             // The products are exact in double width: their sum alone has to fit.
-            let (low, high) = a.corners(b, |a, b| a * b);
+            let (low, high) = a.products(b);
             let mut product = Self::new(low, high);
-            product.worst = larger(a.worst, b.worst);
+            product.worst = worse(a.worst, b.worst);
             sum += product;
         }
         Self::rounded(sum.low, sum.high, [&sum, &sum])

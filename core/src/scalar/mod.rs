@@ -5,7 +5,7 @@
 //! square roots, minima, maxima and one comparison are used, each defined to the last bit.
 
 mod checked;
-mod enclosure;
+pub(crate) mod enclosure;
 #[cfg(feature = "fixed")]
 mod fixed_point;
 mod float;

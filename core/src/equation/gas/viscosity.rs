@@ -58,10 +58,11 @@ pub trait Viscosity<S: Scalar>: Copy + Send + Sync {
     /// fastest approach of a partner (after Monaghan, ARA&A 30, 543, 1992, eq. 10.2).
     fn signal(&self, sound_speed: S, approach: S) -> S;
     /// A bound of all that `signal` and `pair` make on their way for speeds up to `speed` and sound
-    /// speeds up to `sound_speed`, but for the quotients over densities.
+    /// speeds up to `sound_speed`, but for the quotients over densities: what a proof that a format holds
+    /// them goes by. Infinite where nothing is said, and such a format then refuses the run.
     fn largest(&self, speed: f64, sound_speed: f64) -> f64 {
         let _ = (speed, sound_speed);
-        0.0
+        f64::INFINITY
     }
 }
 
@@ -172,6 +173,9 @@ pub struct Inviscid;
 impl<S: Scalar> Viscosity<S> for Inviscid {
     fn signal(&self, sound_speed: S, _: S) -> S {
         sound_speed
+    }
+    fn largest(&self, _: f64, _: f64) -> f64 {
+        0.0
     }
 }
 

@@ -9,6 +9,15 @@ use motes::scenario::{AnyScenario, Source};
 
 /// A box of length 100 each way between walls.
 fn made(dimension: usize, parts: &str, changes: &[&str]) -> Result<Experiment, ExperimentError> {
+    made_in("f64", dimension, parts, changes)
+}
+
+fn made_in(
+    scalar: &str,
+    dimension: usize,
+    parts: &str,
+    changes: &[&str],
+) -> Result<Experiment, ExperimentError> {
     let of = |part: &str| vec![part; dimension].join(", ");
     let (lower, upper, sides) = (of("-50.0"), of("50.0"), of("\"mirror\""));
     let text = format!(
@@ -18,7 +27,7 @@ fn made(dimension: usize, parts: &str, changes: &[&str]) -> Result<Experiment, E
     );
     let changes: Vec<String> = changes.iter().map(|&change| change.to_owned()).collect();
     let scenario = AnyScenario::read(Source::Text(text), &changes).unwrap();
-    runs::try_experiment(scenario, "f64", 2)
+    runs::try_experiment(scenario, scalar, 2)
 }
 
 fn column(experiment: &Experiment, name: &str) -> Vec<f64> {
@@ -113,6 +122,32 @@ fn json_and_summary_have_the_balance() {
     let ring = runs::experiment(runs::any_scenario("advection-dominated", &[]), "f64", 1);
     let json = serde_json::to_value(Summary::new(&ring, "f64", 1)).unwrap();
     assert!(json.get("balance").is_none());
+}
+
+/// What reacts in all particles together no number of the format holds; and what grows beyond the format
+/// is refused, by every method.
+#[cfg(feature = "fixed-point")]
+#[test]
+fn large_reactions_are_counted_or_refused_in_fixed_point() {
+    const GROWTH: &str = "diffusivity = 100.0\n\
+         reaction = { kind = \"logistic\", rate = 3.0, capacity = 30000.0 }\n\
+         [initial]\nkind = \"uniform\"\nstate = [1000.0]\n\
+         [resolution]\nparticles = 40\n[time]\nend = 5.0\n";
+    let experiment = made_in("q15.16", 1, GROWTH, &[]).unwrap();
+    let total = column(&experiment, "total_u");
+    let reacted = column(&experiment, "reactions_u");
+    for i in 0..total.len() {
+        let off = total[i] - total[0] - reacted[i];
+        assert!(off.abs() < 1e-5 * total[i], "{i}: {off} of {}", total[i]);
+    }
+    assert!(total.last().unwrap() > &(28.0 * total[0]));
+    for method in ["rkl2", "rk4"] {
+        let method = format!("time.method={method}");
+        let linear = "system.reaction={kind=\"linear\",matrix=[[2.0]],source=[0.0]}";
+        let error = made_in("q15.16", 1, GROWTH, &[&method, linear]).unwrap_err();
+        let message = error.to_string();
+        assert!(message.contains("range of the number format"), "{message}");
+    }
 }
 
 /// A sheet of insulation between two slabs, of that thickness, held at 30 and 10; flux and temperatures at

@@ -309,3 +309,27 @@ fn a_state_beyond_the_maximum_principle_is_told() {
         assert_eq!(beyond(name, &[]), Vec::<String>::new(), "{name}");
     }
 }
+
+/// Of a state of a thousandth a format with sixteen fractional bits holds but two digits, and says so.
+#[cfg(feature = "fixed-point")]
+#[test]
+fn values_of_which_a_format_holds_few_digits_are_told() {
+    let told = |name: &str, scalar: &str, changes: &[&str]| {
+        let experiment = experiment(scenario(name, changes), scalar, 1).unwrap();
+        let warnings = experiment.simulation.warnings(&experiment.outcome);
+        let told = warnings
+            .into_iter()
+            .filter(|text| text.contains("last place"));
+        told.collect::<Vec<_>>()
+    };
+    let small = told("heat1d", "q15.16", &["initial.amplitude=1e-3"]);
+    assert_eq!(small.len(), 1, "{small:?}");
+    assert!(small[0].starts_with("u is at most 9.9"), "{small:?}");
+    let none = Vec::<String>::new();
+    assert_eq!(told("heat1d", "q15.16", &[]), none);
+    assert_eq!(told("heat1d", "q31.32", &["initial.amplitude=1e-3"]), none);
+    assert_eq!(told("heat1d", "f32", &["initial.amplitude=1e-3"]), none);
+    for name in ["acoustics1d", "telegraph", "wall-day"] {
+        assert_eq!(told(name, "q15.16", &[]), none, "{name}");
+    }
+}

@@ -7,7 +7,7 @@
 
 use std::f64::consts::PI;
 
-use motes_core::cutoff::CubicSpline;
+use motes_core::cutoff::{CubicSpline, WendlandC2};
 use motes_core::domain::{Axis, Domain};
 use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
 use motes_core::equation::gas::{
@@ -89,12 +89,12 @@ fn noise(k: usize) -> f64 {
     (k as f64 * 0.618_033_988_749_895).fract() - 0.5
 }
 
-fn kinetic(gas: &Gas<'_, f64, 1>) -> f64 {
-    let of = |(m, u): (&f64, &[f64; 1])| 0.5 * m * u[0] * u[0];
+fn kinetic<const D: usize>(gas: &Gas<'_, f64, D>) -> f64 {
+    let of = |(m, u): (&f64, &[f64; D])| 0.5 * m * u.iter().map(|u| u * u).sum::<f64>();
     gas.mass.iter().zip(gas.velocity.iter()).map(of).sum()
 }
 
-fn total(gas: &Gas<'_, f64, 1>) -> f64 {
+fn total<const D: usize>(gas: &Gas<'_, f64, D>) -> f64 {
     let internal = gas.mass.iter().zip(gas.energy.iter()).map(|(m, e)| m * e);
     kinetic(gas) + internal.sum::<f64>()
 }
@@ -259,5 +259,68 @@ fn steps_are_stable_up_to_two_over_the_largest_frequency() {
             assert!(stable < 1e-5, "{what}: {stable:e}");
             assert!(unstable > 1e-2, "{what}: {unstable:e}");
         }
+    }
+}
+
+/// A hexagonal lattice in a periodic box, jittered as the box at rest of other codes is.
+#[test]
+fn a_plane_at_rest_stays_at_rest_for_100_000_steps() {
+    const ROWS: usize = 12;
+    const N: usize = ROWS * ROWS;
+    const CELLS: usize = cell_bound(N as u32) as usize + 1;
+    let spacing = (2.0 / 3.0f64.sqrt()).sqrt();
+    let height = 1.0 / spacing;
+    let material = Named::IdealGas(IdealGas::new(1.4));
+    for (energy, steps) in FORMS.into_iter().zip([100_000, 10_000, 10_000]) {
+        let dynamics = GasDynamics {
+            domain: Domain {
+                axes: [spacing, height].map(|side| Axis::periodic(0.0, ROWS as f64 * side)),
+            },
+            cut_off: WendlandC2,
+            width: Width::Adaptive { eta: 1.3 },
+            viscosity: Pairwise(Coefficients {
+                alpha: 0.0,
+                beta: 0.0,
+            }),
+            materials: &[material],
+            physics: Options {
+                energy,
+                ..Options::OFF
+            },
+            courant: 0.3,
+            smallest_omega: 1.0 / 32.0,
+        };
+        let mut memory = OptionsStorage::<f64, 2, N, CELLS>::new();
+        for k in 0..N {
+            let (row, place) = (k / ROWS, k % ROWS);
+            let shift = 0.25 + 0.5 * (row % 2) as f64 + 0.01 * noise(2 * k);
+            let particle = Particle {
+                position: [
+                    (place as f64 + shift) * spacing,
+                    (row as f64 + 0.5 + 0.01 * noise(2 * k + 1)) * height,
+                ],
+                velocity: [0.0; 2],
+                mass: 1.0,
+                energy: energy_at_rest(&material),
+                epsilon: 1.3,
+                material: 0,
+            };
+            memory.push(particle).unwrap();
+        }
+        let mut run = Stepper::new(dynamics, LeapFrog, HalfLoop, memory).unwrap();
+        let start = total(&run.state());
+        let (mut worst, mut last) = (0.0f64, 0.0);
+        for _ in 0..steps {
+            run.step()
+                .unwrap_or_else(|error| panic!("{error:?}: {energy:?}"));
+            last = total(&run.state()) / start - 1.0;
+            worst = worst.max(last.abs());
+        }
+        // What the jitter has put in is 1e-4 of the energy of a gas.
+        let moving = kinetic(&run.state()) / start;
+        assert!(
+            worst < 1e-5 && moving < 1e-4,
+            "{energy:?}: {worst:e}, {last:e}, {moving:e}"
+        );
     }
 }

@@ -4,6 +4,9 @@
 pub mod diffusion;
 pub mod gas;
 pub mod linear;
+mod range;
+
+pub(crate) use range::{prove_own, prove_rates};
 
 use crate::cloud::Columns;
 use crate::error::{Error, Parameter};

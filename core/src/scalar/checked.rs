@@ -184,6 +184,13 @@ impl<S: Scalar> Scalar for Checked<S> {
     fn rounded(wide: CheckedWide<S>) -> Self {
         Self::of(S::rounded(wide.wide), wide.unlimited, wide.overflowed)
     }
+    fn scaled(a: Self, wide: CheckedWide<S>) -> CheckedWide<S> {
+        CheckedWide {
+            wide: S::scaled(a.value, wide.wide),
+            unlimited: a.value.to_f64() * wide.unlimited,
+            overflowed: a.overflowed | wide.overflowed,
+        }
+    }
     const HAS_EXACT_SUMS: bool = S::HAS_EXACT_SUMS;
     const NOTHING: CheckedWide<S> = CheckedWide {
         wide: S::NOTHING,

@@ -66,10 +66,15 @@ macro_rules! fixed_point {
             /// A double-width product or sum of products, rounded half away from zero.
             #[inline(always)]
             fn round(product: $wide) -> Self {
+                Self::from_bits(Self::whole(product) as $int)
+            }
+            /// The same in units of the last place, whether a scalar holds it or not.
+            #[inline(always)]
+            fn whole(product: $wide) -> $wide {
                 // Adding -1 to negative products makes the floor of >> symmetric.
                 let sign = product >> (2 * $bits - 1);
                 let sum = product.wrapping_add(Self::HALF).wrapping_add(sign);
-                Self::from_bits((sum >> Self::FRACTION) as $int)
+                sum >> Self::FRACTION
             }
         }
 
@@ -235,7 +240,12 @@ macro_rules! fixed_point {
             }
             #[inline(always)]
             fn rounded(wide: $wide) -> Self {
-                Self::round(wide)
+                let whole = Self::whole(wide);
+                Self::from_bits(whole.clamp(-(<$int>::MAX as $wide), <$int>::MAX as $wide) as $int)
+            }
+            #[inline(always)]
+            fn scaled(a: Self, wide: $wide) -> $wide {
+                (a.to_bits() as $wide).wrapping_mul(Self::whole(wide))
             }
             const HAS_EXACT_SUMS: bool = true;
             const NOTHING: $wide = 0;

@@ -96,6 +96,10 @@ macro_rules! float {
             fn rounded(wide: Self) -> Self {
                 wide
             }
+            #[inline(always)]
+            fn scaled(a: Self, wide: Self) -> Self {
+                a * wide
+            }
             const HAS_EXACT_SUMS: bool = false;
             const NOTHING: Self = 0.0;
             #[inline(always)]

@@ -132,6 +132,10 @@ impl Scalar for Micro {
     fn rounded(wide: Self) -> Self {
         wide
     }
+    #[inline(always)]
+    fn scaled(a: Self, wide: Self) -> Self {
+        a * wide
+    }
     const HAS_EXACT_SUMS: bool = false;
     const NOTHING: Self = Self(0.0);
     #[inline(always)]

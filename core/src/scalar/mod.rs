@@ -112,8 +112,10 @@ pub trait Scalar: Number<Scalar = Self> + PartialOrd + Debug + Send + Sync + 'st
     fn product(a: Self, b: Self) -> Self::Wide;
     /// The sum of two products.
     fn wide_sum(a: Self::Wide, b: Self::Wide) -> Self::Wide;
-    /// A sum of products, rounded once.
+    /// A sum of products, rounded once; saturates in fixed point.
     fn rounded(wide: Self::Wide) -> Self;
+    /// `a` times a sum of products, which is rounded to the last place of a scalar first, however large.
+    fn scaled(a: Self, wide: Self::Wide) -> Self::Wide;
     /// Whether sums of products are exact, whatever their order.
     const HAS_EXACT_SUMS: bool;
     /// A sum of products as `f64`, for reports; never used by the solver.

@@ -5,21 +5,21 @@ use crate::scalar::Scalar;
 /// A sum that is stepped as strengths are, with the registers of a particle.
 #[derive(Clone, Copy, Debug)]
 pub struct Intake<S: Scalar> {
-    /// `ε²` times its rate at the last stage.
-    pub(super) last: S,
+    /// `ε²` times its rate at the last stage: a sum over particles, which a scalar may not hold.
+    last: S::Wide,
     total: S::Wide,
     start: S::Wide,
-    sum: S,
-    stages: [S; 3],
+    sum: S::Wide,
+    stages: [S::Wide; 3],
 }
 
 impl<S: Scalar> Intake<S> {
     const NOTHING: Self = Self {
-        last: S::ZERO,
+        last: S::NOTHING,
         total: S::NOTHING,
         start: S::NOTHING,
-        sum: S::ZERO,
-        stages: [S::ZERO; 3],
+        sum: S::NOTHING,
+        stages: [S::NOTHING; 3],
     };
 
     /// What has come in since the run was prepared; below 0 where it went out.
@@ -27,8 +27,19 @@ impl<S: Scalar> Intake<S> {
         self.total
     }
 
-    fn put(&mut self, per_power: S, rate: S) {
-        self.total = S::wide_sum(self.start, S::product(per_power, rate));
+    /// Adds a particle's term to the rate of this stage.
+    #[inline(always)]
+    pub(super) fn add(&mut self, term: S) {
+        self.last = S::wide_sum(self.last, S::product(S::ONE, term));
+    }
+
+    /// The rate of this stage so far.
+    pub(super) fn rate(&self) -> S {
+        S::rounded(self.last)
+    }
+
+    fn put(&mut self, per_power: S, rate: S::Wide) {
+        self.total = S::wide_sum(self.start, S::scaled(per_power, rate));
     }
 }
 
@@ -86,7 +97,7 @@ impl<S: Scalar, const D: usize, const P: usize> Ledger<S, D, P> {
 
     /// Begins the rates of a stage.
     pub(super) fn begin(&mut self) {
-        self.intakes().for_each(|intake| intake.last = S::ZERO);
+        self.intakes().for_each(|intake| intake.last = S::NOTHING);
     }
 
     /// The intake through a wall.
@@ -107,8 +118,8 @@ impl<S: Scalar, const D: usize, const P: usize> Ledger<S, D, P> {
     pub(crate) fn start(&mut self) {
         self.intakes().for_each(|intake| {
             intake.start = intake.total;
-            intake.sum = S::ZERO;
-            intake.stages = [S::ZERO; 3];
+            intake.sum = S::NOTHING;
+            intake.stages = [S::NOTHING; 3];
         });
     }
 
@@ -123,7 +134,7 @@ impl<S: Scalar, const D: usize, const P: usize> Ledger<S, D, P> {
     pub(crate) fn accumulate(&mut self, n: u32) {
         self.intakes().for_each(|intake| {
             for _ in 0..n {
-                intake.sum += intake.last;
+                intake.sum = S::wide_sum(intake.sum, intake.last);
             }
         });
     }
@@ -150,7 +161,10 @@ impl<S: Scalar, const D: usize, const P: usize> Ledger<S, D, P> {
     pub(crate) fn combine(&mut self, [mu, nu]: [S; 2], fresh: S, first: S) {
         self.intakes().for_each(|intake| {
             let [rate, before, earlier] = intake.stages;
-            let increment = mu * before + nu * earlier + fresh * intake.last + first * rate;
+            let terms = [(nu, earlier), (fresh, intake.last), (first, rate)];
+            let increment = terms.iter().fold(S::scaled(mu, before), |sum, &(a, b)| {
+                S::wide_sum(sum, S::scaled(a, b))
+            });
             intake.stages = [rate, increment, before];
             intake.put(S::ONE, increment);
         });

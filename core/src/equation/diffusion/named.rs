@@ -63,6 +63,9 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionProblem<S, D, P>
     fn reaction_rate(&self) -> S {
         self.reaction.bound()
     }
+    fn largest_reaction(&self, u: f64) -> f64 {
+        self.reaction.largest(u)
+    }
     fn wall(&self, axis: usize, end: usize, time: S) -> [Condition<S>; P] {
         let walls = self.walls.get(axis).and_then(|ends| ends.get(end));
         walls.map_or([Condition::NoFlux; P], |walls| {

@@ -282,7 +282,7 @@ where
                         _ => factor * (twice[j] * (seen - value[j])),
                     };
                     rates.strength[j] += term;
-                    intakes[j].last += term;
+                    intakes[j].add(term);
                     value[j] = seen;
                 }
             }
@@ -368,7 +368,7 @@ where
                     let sum = S::dot(&added[j], &n) + law.share * conducted[j];
                     let term = -(factor * sum);
                     rates.strength[j] += term;
-                    intakes[j].last += term;
+                    intakes[j].add(term);
                 }
             }
         });
@@ -385,7 +385,7 @@ where
                 let term = -(node.weight * (factor * difference));
                 rates.strength[j] += term;
                 if let Some(intakes) = ledger.wall(wall.0, wall.1) {
-                    intakes[j].last += term;
+                    intakes[j].add(term);
                 }
             });
         }
@@ -410,9 +410,9 @@ where
                     if let Condition::Flux(flux) = conditions[j]
                         && let Some(whole) = self.whole(axis, flux)
                     {
-                        let left = -whole - intakes[j].last;
+                        let left = -whole - intakes[j].rate();
                         rates.strength[j] += left;
-                        intakes[j].last += left;
+                        intakes[j].add(left);
                     }
                 }
             }

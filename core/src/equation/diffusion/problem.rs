@@ -44,6 +44,17 @@ pub trait DiffusionProblem<S: Scalar, const D: usize, const P: usize>: Sync {
         S::ZERO
     }
 
+    /// A bound of all that [`DiffusionProblem::reaction`] makes on its way for values up to `u` in
+    /// magnitude: what a proof that a format holds it goes by. Without it a problem with a
+    /// [`DiffusionProblem::reaction_rate`] is refused in a format that wraps.
+    fn largest_reaction(&self, u: f64) -> f64 {
+        let _ = u;
+        match self.reaction_rate() > S::ZERO {
+            true => f64::INFINITY,
+            false => 0.0,
+        }
+    }
+
     /// What holds at the lower (`end` = 0) or upper (1) wall across direction `axis`.
     fn wall(&self, axis: usize, end: usize, time: S) -> [Condition<S>; P] {
         let _ = (axis, end, time);

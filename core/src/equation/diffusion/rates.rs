@@ -11,6 +11,7 @@ use super::wall::{Condition, Walls};
 use crate::cloud::{Place, Register, State, VelocityField};
 use crate::cutoff::{CutOff, across};
 use crate::domain::Side;
+use crate::equation::{prove_own, prove_rates};
 use crate::error::Error;
 use crate::neighbours::sort;
 use crate::numbered::numbered;
@@ -79,6 +80,10 @@ where
         let (Some(nodes), Some(sums)) = (work.nodes.get_mut(..n), work.sums.get_mut(..n)) else {
             return Err(Error::Lengths);
         };
+        let squared = self.epsilon * self.epsilon;
+        prove_own(engine, (state.value, state.weight), squared, |u| {
+            self.problem.largest_reaction(u)
+        })?;
         let ledger = &mut *work.ledger;
         ledger.begin();
         if is_fresh {
@@ -166,7 +171,7 @@ where
                 self.pass_mixed(&law, &cells, shown, time, (work.last, ledger));
             }
         }
-        Ok(())
+        prove_rates(engine, work.last.get(..n).unwrap_or(&[]))
     }
 
     /// What a particle exchanges with the outside under the mixed form, for each wall and species: the
@@ -310,8 +315,10 @@ where
         let made = rates.strength.iter_mut().zip(&mut ledger.reactions);
         for ((sum, intake), (pairs, f)) in made.zip(rate.into_iter().zip(reaction)) {
             let reacted = squared * (weight * f);
-            *sum = pairs + reacted;
-            intake.last += reacted;
+            // Saturates, which the proof of the rates then sees.
+            let both = [pairs, reacted].map(|term| S::product(S::ONE, term));
+            *sum = S::rounded(S::wide_sum(both[0], both[1]));
+            intake.add(reacted);
         }
         if let Some(neighbours) = state.neighbours.get_mut(id) {
             *neighbours = partners - S::ONE;

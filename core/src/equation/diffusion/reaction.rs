@@ -61,6 +61,29 @@ impl<S: Scalar, const P: usize> Reaction<S, P> {
         rates
     }
 
+    /// A bound of all that [`Reaction::rate`] makes on its way for values up to `u` in magnitude.
+    pub fn largest(&self, u: f64) -> f64 {
+        match self {
+            Self::None => 0.0,
+            Self::Linear { matrix, source } => {
+                let size = |a: &S| a.to_f64().abs();
+                let row = |row: &[S; P]| row.iter().map(size).sum::<f64>() * u;
+                let rows = matrix.iter().map(row).zip(source.iter().map(size));
+                rows.fold(0.0, |most, (a, b)| f64::max(most, a + b))
+            }
+            Self::Logistic { rate, capacity } => {
+                // The quotient saturates.
+                let share = (u / capacity.to_f64()).min(S::LARGEST.to_f64());
+                (rate.to_f64() * u).max(1.0) * (1.0 + share)
+            }
+            Self::GrayScott { feed, kill, unit } => {
+                let turned = u.max(u * u).max(u * u * u);
+                let drained = (feed.to_f64() + kill.to_f64()) * (1.0 + u);
+                unit.to_f64().max(1.0) * (turned + drained)
+            }
+        }
+    }
+
     /// A bound of the `|eigenvalues|` of `∂f/∂u`: of a linear one by the sums of its rows; of the
     /// others where they are meant to be, `-K <= u <= 2K`, and `0 <= u <= 1`, `0 <= v <= 1/2`.
     pub fn bound(&self) -> S {

@@ -1,6 +1,7 @@
 //! The right-hand sides of (1.18), (1.20) and (1.21) for a whole cloud.
 
 use crate::cutoff::CutOff;
+use crate::equation::{prove_own, prove_rates};
 use crate::error::Error;
 use crate::neighbours::sort;
 use crate::pairs::{Engine, Fields as _, Settled};
@@ -75,6 +76,12 @@ where
         let n = state.len();
         let sums = work.sums.get(..n).unwrap_or(&[]);
         let order = work.cells.order.get(..n).unwrap_or(&[]);
+        let damping = self.system.damping();
+        if damping > S::ZERO {
+            prove_own(engine, (state.value, state.weight), self.epsilon, |u| {
+                damping.to_f64() * u
+            })?;
+        }
         for (settled, &id) in sums.iter().zip(order) {
             let id = id as usize;
             let (Some(&position), Some(rates)) = (state.position.get(id), work.last.get_mut(id))
@@ -88,10 +95,13 @@ where
             let source = self.system.source(&place);
             let terms = rates.strength.iter_mut().zip(settled.sums.rate);
             for (((rate, pairs), decay), source) in terms.zip(decay).zip(source) {
-                *rate = pairs + self.epsilon * (node.weight * (source - decay));
+                let own = self.epsilon * (node.weight * (source - decay));
+                // Saturates, which the proof of the rates then sees.
+                let both = [pairs, own].map(|term| S::product(S::ONE, term));
+                *rate = S::rounded(S::wide_sum(both[0], both[1]));
             }
         }
-        Ok(())
+        prove_rates(engine, work.last.get(..n).unwrap_or(&[]))
     }
 
     /// Velocities into `work.last`, sums over pairs into `work.sums`. Where nothing passes

@@ -15,6 +15,7 @@ mod principle;
 mod quadrature;
 mod simulation;
 mod solver;
+mod steps;
 
 pub(super) use field::PlannedField;
 pub(super) use geometry::{flow, length, periods, spread, wave_vector};

@@ -16,6 +16,7 @@ use super::memory::CloudArrays;
 use super::plan::Plan;
 use super::principle::beyond;
 use super::solver::Solver;
+use super::steps::coarse;
 use crate::engine::{Holder, HostScalar, Threads};
 use crate::families::apart::{Frame, check_apart};
 use crate::run::{
@@ -454,8 +455,15 @@ where
                  larger epsilon (cut-off.eta)"
             )
         });
+        let coarse = S::WRAPS.then(|| {
+            let (tiniest, weights) = (S::TINIEST.to_f64(), self.energy_weights());
+            coarse(&self.plan, tiniest, &weights, &outcome.series)
+        });
         let beyond = beyond(&self.plan, &outcome.series);
-        thin.into_iter().chain(beyond).collect()
+        thin.into_iter()
+            .chain(coarse.flatten())
+            .chain(beyond)
+            .collect()
     }
 
     fn particulars(&self, outcome: &Outcome) -> Option<Particulars> {

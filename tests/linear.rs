@@ -131,22 +131,31 @@ fn sums_are_compared_with_what_losses_and_walls_leave() {
     );
     // Walls at x: what presses on them changes the momentum along x.
     let folder = tempfile::tempdir().unwrap();
-    let text = |sides: &str, wave: [i32; 2]| {
-        let mut rows = "position_x,position_y,weight,pressure,velocity_x,velocity_y\n".to_owned();
+    let text = |(system, components): (&str, &[&str]), sides: &str, wave: [i32; 2]| {
+        let mut rows = format!("position_x,position_y,weight,{}\n", components.join(","));
         for k in 0..400 {
             let [x, y] = [k % 20, k / 20].map(|i| (f64::from(i) + 0.5) / 20.0);
             let phase = std::f64::consts::TAU * (f64::from(wave[0]) * x + f64::from(wave[1]) * y);
-            rows += &format!("{x},{y},0.0025,{},{},0\n", 1.0 + phase.sin(), phase.sin());
+            let values = (0..components.len()).map(|j| match j {
+                0 => 1.0 + phase.sin(),
+                2 if components.len() == 3 => 0.0,
+                _ => (phase + 0.1 * j as f64).sin(),
+            });
+            let values: Vec<String> = values.map(|value| value.to_string()).collect();
+            rows += &format!("{x},{y},0.0025,{}\n", values.join(","));
         }
         let cloud = folder.path().join("cloud.csv");
         std::fs::write(&cloud, rows).unwrap();
         format!(
             "name = \"box\"\ndimension = 2\n[domain]\nlower = [0.0, 0.0]\nupper = [1.0, 1.0]\n\
-             sides = [{sides}, \"periodic\"]\n[system]\nkind = \"acoustics\"\ndensity = 1.0\n\
-             sound-speed = 1.0\n[resolution]\narrangement = \"file\"\nfile = {cloud:?}\n[time]\n\
-             end = 0.3\n"
+             sides = [{sides}, \"periodic\"]\n[system]\n{system}\n[resolution]\n\
+             arrangement = \"file\"\nfile = {cloud:?}\n[time]\nend = 0.3\n"
         )
     };
+    let sound = (
+        "kind = \"acoustics\"\ndensity = 1.0\nsound-speed = 1.0",
+        &["pressure", "velocity_x", "velocity_y"][..],
+    );
     let drift = |text: String| {
         let scenario = AnyScenario::read(Source::Text(text), &[]).unwrap();
         let AnyScenario::Linear(scenario) = scenario else {
@@ -155,19 +164,39 @@ fn sums_are_compared_with_what_losses_and_walls_leave() {
         experiment(*scenario, "f64", 1).unwrap().outcome.drift
     };
     // Of a component that is 0 it is not rounding over rounding.
-    let still = drift(text("\"periodic\"", [1, 0]));
+    let still = drift(text(sound, "\"periodic\"", [1, 0]));
     assert_eq!(still.len(), 3);
     assert!(
         still.iter().all(|(_, drift)| drift.abs() < 1e-13),
         "{still:?}"
     );
-    let kept = drift(text("\"mirror\"", [1, 1]));
-    let names: Vec<&str> = kept.iter().map(|(name, _)| &**name).collect();
-    assert_eq!(names, ["pressure", "velocity_y"]);
-    assert!(
-        kept.iter().all(|(_, drift)| drift.abs() < 1e-13),
-        "{kept:?}"
+    let light = (
+        "kind = \"maxwell-te\"\npermittivity = 1.0\npermeability = 1.0",
+        &["electric_x", "electric_y", "magnetic_z"][..],
     );
+    let solid = (
+        "kind = \"elastic-waves\"\ndensity = 1.0\nlambda = 1.0\nmu = 1.0",
+        &[
+            "velocity_x",
+            "velocity_y",
+            "stress_xx",
+            "stress_yy",
+            "stress_xy",
+        ][..],
+    );
+    for (of, known) in [
+        (sound, &["pressure", "velocity_y"][..]),
+        (light, &["electric_x", "magnetic_z"]),
+        (solid, &["velocity_y", "stress_xx", "stress_yy"]),
+    ] {
+        let kept = drift(text(of, "\"mirror\"", [1, 1]));
+        let names: Vec<&str> = kept.iter().map(|(name, _)| &**name).collect();
+        assert_eq!(names, known);
+        assert!(
+            kept.iter().all(|(_, drift)| drift.abs() < 1e-13),
+            "{kept:?}"
+        );
+    }
 }
 
 #[cfg(feature = "fixed-point")]

@@ -150,6 +150,6 @@ impl<S: Scalar, const D: usize, const P: usize> Row<'_, S, D, P> {
     /// Makes `u = q/w` anew.
     #[inline(always)]
     pub(crate) fn revalue(self) {
-        *self.value = self.strength.map(|q| S::rounded(q) / *self.weight);
+        *self.value = self.strength.map(|q| S::saturated(q) / *self.weight);
     }
 }

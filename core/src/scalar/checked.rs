@@ -184,6 +184,9 @@ impl<S: Scalar> Scalar for Checked<S> {
     fn rounded(wide: CheckedWide<S>) -> Self {
         Self::of(S::rounded(wide.wide), wide.unlimited, wide.overflowed)
     }
+    fn saturated(wide: CheckedWide<S>) -> Self {
+        Self::of(S::saturated(wide.wide), wide.unlimited, wide.overflowed)
+    }
     fn scaled(a: Self, wide: CheckedWide<S>) -> CheckedWide<S> {
         CheckedWide {
             wide: S::scaled(a.value, wide.wide),

@@ -240,8 +240,12 @@ macro_rules! fixed_point {
             }
             #[inline(always)]
             fn rounded(wide: $wide) -> Self {
-                let whole = Self::whole(wide);
-                Self::from_bits(whole.clamp(-(<$int>::MAX as $wide), <$int>::MAX as $wide) as $int)
+                Self::round(wide)
+            }
+            #[inline(always)]
+            fn saturated(wide: $wide) -> Self {
+                let most = <$int>::MAX as $wide;
+                Self::from_bits(Self::whole(wide).clamp(-most, most) as $int)
             }
             #[inline(always)]
             fn scaled(a: Self, wide: $wide) -> $wide {

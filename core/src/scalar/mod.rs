@@ -112,8 +112,13 @@ pub trait Scalar: Number<Scalar = Self> + PartialOrd + Debug + Send + Sync + 'st
     fn product(a: Self, b: Self) -> Self::Wide;
     /// The sum of two products.
     fn wide_sum(a: Self::Wide, b: Self::Wide) -> Self::Wide;
-    /// A sum of products, rounded once; saturates in fixed point.
+    /// A sum of products, rounded once.
     fn rounded(wide: Self::Wide) -> Self;
+    /// The same; in fixed point the largest number where there is no such scalar.
+    #[inline(always)]
+    fn saturated(wide: Self::Wide) -> Self {
+        Self::rounded(wide)
+    }
     /// `a` times a sum of products, which is rounded to the last place of a scalar first, however large.
     fn scaled(a: Self, wide: Self::Wide) -> Self::Wide;
     /// Whether sums of products are exact, whatever their order.

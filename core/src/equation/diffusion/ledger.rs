@@ -35,7 +35,7 @@ impl<S: Scalar> Intake<S> {
 
     /// The rate of this stage so far.
     pub(super) fn rate(&self) -> S {
-        S::rounded(self.last)
+        S::saturated(self.last)
     }
 
     fn put(&mut self, per_power: S, rate: S::Wide) {

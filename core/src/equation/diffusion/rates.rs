@@ -317,7 +317,7 @@ where
             let reacted = squared * (weight * f);
             // Saturates, which the proof of the rates then sees.
             let both = [pairs, reacted].map(|term| S::product(S::ONE, term));
-            *sum = S::rounded(S::wide_sum(both[0], both[1]));
+            *sum = S::saturated(S::wide_sum(both[0], both[1]));
             intake.add(reacted);
         }
         if let Some(neighbours) = state.neighbours.get_mut(id) {

@@ -96,9 +96,12 @@ where
             let terms = rates.strength.iter_mut().zip(settled.sums.rate);
             for (((rate, pairs), decay), source) in terms.zip(decay).zip(source) {
                 let own = self.epsilon * (node.weight * (source - decay));
-                // Saturates, which the proof of the rates then sees.
-                let both = [pairs, own].map(|term| S::product(S::ONE, term));
-                *rate = S::rounded(S::wide_sum(both[0], both[1]));
+                *rate = pairs;
+                if own != S::ZERO {
+                    // Saturates, which the proof of the rates then sees.
+                    let both = [pairs, own].map(|term| S::product(S::ONE, term));
+                    *rate = S::saturated(S::wide_sum(both[0], both[1]));
+                }
             }
         }
         prove_rates(engine, work.last.get(..n).unwrap_or(&[]))

@@ -23,12 +23,8 @@ impl Budget {
             None => vec![false; names.len()],
             Some(losses) => {
                 let passes = |name: &String| passes_walls(scenario, name);
-                let closed: Vec<bool> = names.iter().map(|name| !passes(name)).collect();
-                // Losses tie sums together: with one that is not known the others are not.
-                match losses.is_empty() || closed.iter().all(|&closed| closed) {
-                    true => closed,
-                    false => vec![false; names.len()],
-                }
+                let closed = names.iter().map(|name| !passes(name)).collect();
+                tied(closed, losses)
             }
         };
         Self {
@@ -51,6 +47,17 @@ impl Budget {
         let matrix: Vec<f64> = self.losses.iter().map(|a| -a * time).collect();
         product(&exponential(&matrix, n), sums, n)
     }
+}
+
+/// Losses tie sums together: one that another is fed from is known where that one is.
+fn tied(mut known: Vec<bool>, losses: &[f64]) -> Vec<bool> {
+    let n = known.len();
+    for _ in 0..n {
+        for i in 0..losses.len() / n.max(1) {
+            known[i] &= (0..n).all(|j| losses[i * n + j] == 0.0 || known[j]);
+        }
+    }
+    known
 }
 
 /// `A⁰` of the sums, empty where it is 0; `None` where the equation of the sums is not so simple.
@@ -83,8 +90,8 @@ fn losses(system: &System) -> Option<Vec<f64>> {
     Some(if is_zero { Vec::new() } else { losses })
 }
 
-/// Whether a sum changes at the walls. At a mirror normal velocities and what else is odd are 0: what
-/// they carry stays, and what pushes on them does not.
+/// Whether a sum changes at the walls. At a mirror normal velocities and what else is odd are 0. The
+/// flux of what is even is odd, and that sum stays; what is even pushes on the odd ones.
 fn passes_walls(scenario: &LinearScenario, component: &str) -> bool {
     if let System::ConvectionDiffusion(problem) = &scenario.system {
         return !problem.is_closed();
@@ -105,6 +112,14 @@ fn passes_walls(scenario: &LinearScenario, component: &str) -> bool {
                 |axis: &str| component == "velocity" || component == format!("velocity_{axis}");
             walls.any(|(axis, _)| normal(axis))
         }
-        _ => true,
+        System::Telegraph { .. } => component == "current",
+        // A conductor: the electric field along it is odd.
+        System::MaxwellTe { .. } => walls.any(|(axis, _)| {
+            component.starts_with("electric") && component != format!("electric_{axis}")
+        }),
+        // A wall on which a solid slides: the shear is odd, as what is normal.
+        System::ElasticWaves { .. } => walls
+            .any(|(axis, _)| component == "stress_xy" || component == format!("velocity_{axis}")),
+        System::Matrices { .. } | System::ConvectionDiffusion(_) => true,
     }
 }

@@ -589,10 +589,13 @@ impl<const D: usize> Problem<D> {
                 ..*body
             })
             .collect();
-        // Densities do not depend on energies: heat, compress, heat.
+        // Densities do not depend on energies: heat, compress, heat; by the share of the heat the work of
+        // the forces instead.
+        let start: Vec<f64> = bodies.iter().map(|body| body.energy).collect();
+        let first = found;
         let densities = self.solve(&predicted);
         for (k, body) in bodies.iter_mut().enumerate() {
-            let ratio = densities[k].density / found[k].density;
+            let ratio = densities[k].density / first[k].density;
             body.energy = (body.energy + 0.5 * dt * heating[k]) * ratio.powf(self.gamma - 1.0);
             predicted[k].energy = (body.energy + 0.5 * dt * heating[k]).max(0.0);
         }
@@ -603,6 +606,14 @@ impl<const D: usize> Problem<D> {
                 body.velocity[i] += 0.5 * dt * (accelerations[k][i] + end);
             }
             body.energy += 0.5 * dt * found[k].heat / body.mass;
+            let ends = [&first[k], &found[k]];
+            let heat: f64 = ends.iter().map(|end| end.heat.abs()).sum();
+            let rest: f64 = ends.iter().map(|end| (end.power - end.heat).abs()).sum();
+            if heat > 0.0 {
+                let work: f64 = ends.iter().map(|end| end.power).sum();
+                let by_work = start[k] + 0.5 * dt * work / body.mass;
+                body.energy += (4.0 * heat / (heat + rest)).min(1.0) * (by_work - body.energy);
+            }
         }
         Step {
             found,

@@ -154,8 +154,8 @@ fn energy_error_falls_with_the_time_step() {
     let errors = [1, 2, 4]
         .map(|part| drift::<f64>(Side::Periodic, 0.3 / f64::from(part), STEPS * part).energy);
     println!("energy drifts by {errors:?} at steps of 1, 1/2 and 1/4");
-    // 2.34e-4, all of it of the viscosity: 2e-4 with the energy by the trapezoidal rule.
-    assert!(errors[0] < 2.4e-4, "{errors:?}");
+    // 2.52e-4, all of it of the viscosity: 2e-4 where pressures, too, go by the trapezoidal rule.
+    assert!(errors[0] < 2.6e-4, "{errors:?}");
     let order = (errors[0] / errors[2]).log2() / 2.0;
     assert!((1.9..2.2).contains(&order), "order {order} from {errors:?}");
 }

@@ -5,6 +5,7 @@
 
 use crate::error::{Error, Quantity};
 use crate::neighbours::Cells;
+use crate::numbered::numbered;
 use crate::scalar::Scalar;
 
 /// A bound, and the place in sorted order of the particle that it comes from.
@@ -17,6 +18,25 @@ pub struct Largest {
 }
 
 impl Largest {
+    /// The largest of some numbers in magnitude; they are compared as they are and turned into `f64`
+    /// once.
+    #[inline(always)]
+    pub fn of<S: Scalar>(numbers: impl Iterator<Item = S>) -> Self {
+        let (mut low, mut high) = ((0, S::ZERO), (0, S::ZERO));
+        for (place, number) in numbered(numbers) {
+            if number < low.1 {
+                low = (place, number);
+            }
+            if number > high.1 {
+                high = (place, number);
+            }
+        }
+        let mut largest = Self::default();
+        largest.see(low.0, -low.1.to_f64());
+        largest.see(high.0, high.1.to_f64());
+        largest
+    }
+
     /// Takes another one in, if it is larger or no number.
     #[inline(always)]
     pub fn see(&mut self, place: usize, bound: f64) {

@@ -11,7 +11,7 @@ use super::wall::{Condition, Walls};
 use crate::cloud::{Place, Register, State, VelocityField};
 use crate::cutoff::{CutOff, across};
 use crate::domain::Side;
-use crate::equation::{prove_own, prove_rates};
+use crate::equation::{prove_own, prove_rates, with_own};
 use crate::error::Error;
 use crate::neighbours::sort;
 use crate::numbered::numbered;
@@ -315,9 +315,7 @@ where
         let made = rates.strength.iter_mut().zip(&mut ledger.reactions);
         for ((sum, intake), (pairs, f)) in made.zip(rate.into_iter().zip(reaction)) {
             let reacted = squared * (weight * f);
-            // Saturates, which the proof of the rates then sees.
-            let both = [pairs, reacted].map(|term| S::product(S::ONE, term));
-            *sum = S::saturated(S::wide_sum(both[0], both[1]));
+            *sum = with_own(pairs, reacted);
             intake.add(reacted);
         }
         if let Some(neighbours) = state.neighbours.get_mut(id) {

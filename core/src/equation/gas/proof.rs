@@ -20,27 +20,10 @@ use super::physics::Physics;
 use super::state::Gas;
 use super::viscosity::Viscosity;
 
-/// The largest of some numbers in magnitude; they are compared as they are and turned into `f64` once.
-fn largest<S: Scalar>(numbers: impl Iterator<Item = S>) -> Largest {
-    let (mut low, mut high) = ((0, S::ZERO), (0, S::ZERO));
-    for (place, number) in numbered(numbers) {
-        if number < low.1 {
-            low = (place, number);
-        }
-        if number > high.1 {
-            high = (place, number);
-        }
-    }
-    let mut largest = Largest::default();
-    largest.see(low.0, -low.1.to_f64());
-    largest.see(high.0, high.1.to_f64());
-    largest
-}
-
-/// The same of the components of vectors.
+/// The largest of the components of vectors.
 fn longest<S: Scalar, const D: usize>(vectors: &[[S; D]]) -> Largest {
     let components = vectors.iter().flatten().copied();
-    let mut longest = largest(components);
+    let mut longest = Largest::of(components);
     longest.place = longest.place.checked_div(D).unwrap_or(0);
     longest
 }
@@ -65,9 +48,9 @@ impl<S: Scalar, C: CutOff, const D: usize> Density<S, C, D> {
         let cut_off = Law::<S, D>::cut_off(self);
         let peaks = Peaks::of::<S, C, D>(cut_off, true);
         let support = f64::from(cut_off.support());
-        let measure = largest(nodes.iter().map(|node| node.measure));
+        let measure = Largest::of(nodes.iter().map(|node| node.measure));
         // Beyond its limit nothing of a width is accepted.
-        let width = largest(nodes.iter().map(|node| node.limit));
+        let width = Largest::of(nodes.iter().map(|node| node.limit));
         let squared = width.bound * width.bound;
         let each = (squared * peaks.first.max(peaks.second)).max(peaks.value);
         let term = (squared * support * support).max(ground.partners * each);
@@ -114,9 +97,9 @@ impl<C: CutOff> Gradient<C> {
     ) -> Result<(), Error> {
         let cut_off = self.cut_off;
         let peaks = Peaks::of::<S, C, D>(cut_off, false);
-        let measure = largest(nodes.iter().map(|node| node.measure)).bound;
-        let energy = largest(nodes.iter().map(|node| node.energy));
-        let speed = largest(nodes.iter().flat_map(|node| node.velocity)).bound;
+        let measure = Largest::of(nodes.iter().map(|node| node.measure)).bound;
+        let energy = Largest::of(nodes.iter().map(|node| node.energy));
+        let speed = Largest::of(nodes.iter().flat_map(|node| node.velocity)).bound;
         let step = (2.0 * energy.bound).max(2.0 * speed).max(ground.reach);
         // `F |r|` is ε times the slope, ε at most the reach over the support.
         let width = ground.reach / f64::from(cut_off.support());
@@ -149,10 +132,10 @@ impl<C: CutOff, V, T> Motion<C, V, T> {
         V: Viscosity<S>,
     {
         let peaks = Peaks::of::<S, C, D>(self.cut_off, false);
-        let mass = largest(nodes.iter().map(|node| node.mass)).bound;
-        let measure = largest(nodes.iter().map(|node| node.measure)).bound;
-        let sound_speed = largest(nodes.iter().map(|node| node.sound_speed));
-        let component = largest(nodes.iter().flat_map(|node| node.velocity)).bound;
+        let mass = Largest::of(nodes.iter().map(|node| node.mass)).bound;
+        let measure = Largest::of(nodes.iter().map(|node| node.measure)).bound;
+        let sound_speed = Largest::of(nodes.iter().map(|node| node.sound_speed));
+        let component = Largest::of(nodes.iter().flat_map(|node| node.velocity)).bound;
         let least = smallest(nodes.iter().map(|node| node.density));
         let mut gradient = Largest::default();
         let (mut push, mut pushed) = (Largest::default(), Largest::default());
@@ -273,18 +256,18 @@ where
         let speed = velocity.bound + dt * self.pull(gas);
         self.in_range(Quantity::Velocity, velocity.with(speed))?;
         let mass = smallest(gas.mass.iter().copied());
-        let power = largest(gas.power.iter().copied());
+        let power = Largest::of(gas.power.iter().copied());
         let heating = (power.bound / mass).min(S::LARGEST.to_f64());
-        let energy = largest(gas.energy.iter().copied());
+        let energy = Largest::of(gas.energy.iter().copied());
         let energy = energy.with(energy.bound + dt * heating);
         self.in_range(Quantity::Energy, energy)?;
-        let density = largest(gas.density.iter().copied());
+        let density = Largest::of(gas.density.iter().copied());
         let densities = [smallest(gas.density.iter().copied()), density.bound];
         for law in self.materials {
             let bound = law.largest(densities, energy.bound);
             self.in_range(Quantity::Pressure, density.with(bound))?;
         }
-        let width = largest(gas.epsilon.iter().copied());
+        let width = Largest::of(gas.epsilon.iter().copied());
         let powers = (0..D + 2).fold(1.0, |power, _| power * width.bound);
         self.in_range(Quantity::Epsilon, width.with(powers))
     }

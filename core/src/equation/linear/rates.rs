@@ -1,7 +1,7 @@
 //! The right-hand sides of (1.18), (1.20) and (1.21) for a whole cloud.
 
 use crate::cutoff::CutOff;
-use crate::equation::{prove_own, prove_rates};
+use crate::equation::{prove_own, prove_rates, with_own};
 use crate::error::Error;
 use crate::neighbours::sort;
 use crate::pairs::{Engine, Fields as _, Settled};
@@ -96,12 +96,7 @@ where
             let terms = rates.strength.iter_mut().zip(settled.sums.rate);
             for (((rate, pairs), decay), source) in terms.zip(decay).zip(source) {
                 let own = self.epsilon * (node.weight * (source - decay));
-                *rate = pairs;
-                if own != S::ZERO {
-                    // Saturates, which the proof of the rates then sees.
-                    let both = [pairs, own].map(|term| S::product(S::ONE, term));
-                    *rate = S::saturated(S::wide_sum(both[0], both[1]));
-                }
+                *rate = with_own(pairs, own);
             }
         }
         prove_rates(engine, work.last.get(..n).unwrap_or(&[]))

@@ -4,6 +4,7 @@
 mod balance;
 mod budget;
 mod description;
+mod digits;
 mod doubts;
 mod field;
 mod geometry;
@@ -15,7 +16,6 @@ mod principle;
 mod quadrature;
 mod simulation;
 mod solver;
-mod steps;
 
 pub(super) use field::PlannedField;
 pub(super) use geometry::{flow, length, periods, spread, wave_vector};

@@ -10,13 +10,13 @@ use motes_core::scalar::Scalar;
 
 use super::balance::{Source, balance};
 use super::description::description;
+use super::digits::few_digits;
 use super::doubts::{thin, undamped};
 use super::growth::Monitor;
 use super::memory::CloudArrays;
 use super::plan::Plan;
 use super::principle::beyond;
 use super::solver::Solver;
-use super::steps::coarse;
 use crate::engine::{Holder, HostScalar, Threads};
 use crate::families::apart::{Frame, check_apart};
 use crate::run::{
@@ -455,13 +455,13 @@ where
                  larger epsilon (cut-off.eta)"
             )
         });
-        let coarse = S::WRAPS.then(|| {
+        let blurred = S::WRAPS.then(|| {
             let (tiniest, weights) = (S::TINIEST.to_f64(), self.energy_weights());
-            coarse(&self.plan, tiniest, &weights, &outcome.series)
+            few_digits(&self.plan, tiniest, &weights, &outcome.series)
         });
         let beyond = beyond(&self.plan, &outcome.series);
         thin.into_iter()
-            .chain(coarse.flatten())
+            .chain(blurred.flatten())
             .chain(beyond)
             .collect()
     }

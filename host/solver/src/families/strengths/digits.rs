@@ -1,4 +1,4 @@
-//! Values so small that a fixed-point format shows the steps of its last place in them.
+//! Values so small that a fixed-point format holds but a few digits of them.
 
 use super::plan::Plan;
 use crate::run::Series;
@@ -14,7 +14,7 @@ const MATTERS: f64 = 1e-3;
 ///
 /// `tiniest`: a unit of the last place. `weights`: of the energy, `P x P`; none where components do not
 /// share one, and each matters.
-pub(super) fn coarse(
+pub(super) fn few_digits(
     plan: &Plan,
     tiniest: f64,
     weights: &[f64],

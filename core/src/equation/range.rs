@@ -26,9 +26,10 @@ pub(crate) fn prove_own<S: Scalar, const D: usize, const P: usize>(
     engine: &mut impl Engine<S, D>,
     (values, weights): (&[[S; P]], &[S]),
     scale: S,
-    bound: impl FnOnce(f64) -> f64,
+    bound: impl Fn(f64) -> f64,
 ) -> Result<(), Error> {
-    if !S::WRAPS {
+    // As a rule there is nothing of the kind, whatever the values.
+    if !S::WRAPS || bound(S::LARGEST.to_f64()) == 0.0 {
         return Ok(());
     }
     let value = Largest::of(values.iter().flatten().copied());

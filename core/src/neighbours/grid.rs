@@ -45,6 +45,7 @@ impl<S> GridAxis<S> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid<S, const D: usize> {
     axes: [GridAxis<S>; D],
+    reach: S,
 }
 
 impl<S: Scalar, const D: usize> Grid<S, D> {
@@ -74,7 +75,7 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
         for _ in 0..40 {
             let grid = Self::with_edge(domain, &bounds, edge)?;
             if grid.cells() <= bound {
-                return Ok(grid);
+                return Ok(Self { reach, ..grid });
             }
             edge = edge + edge;
         }
@@ -113,7 +114,13 @@ impl<S: Scalar, const D: usize> Grid<S, D> {
                 axis.cell = edge;
             }
         }
-        Ok(Self { axes })
+        Ok(Self { axes, reach: edge })
+    }
+
+    /// No two partners are farther apart, for all the rounding of squares.
+    pub fn farthest(&self) -> S {
+        let unit = S::TINIEST;
+        self.reach + unit / self.reach.lesser(S::ONE) + unit
     }
 
     /// Number of cells.

@@ -168,7 +168,7 @@ pub fn by_intervals_of<S: Scalar, const D: usize, W: Law<S, D>>(
         W::Node::set_lane::<Enclosure<S>>(&mut ends, 0, node);
     }
     add_images::<S, D, W>(image, ground.cells, nodes, &mut ends);
-    // Compared as they are, and turned into f64 once.
+    // Compared as they are, and turned into f32 once.
     let [low, high] = [0, 1].map(|end| W::Node::lane::<Enclosure<S>>(&ends, end));
     let mut hull = low.splat::<Enclosure<S>>();
     W::Node::set_lane::<Enclosure<S>>(&mut hull, 1, &high);
@@ -177,14 +177,14 @@ pub fn by_intervals_of<S: Scalar, const D: usize, W: Law<S, D>>(
         let mut sums = [W::Sums::ZERO.splat::<Enclosure<S>>(); 2];
         let [to_k, to_l] = &mut sums;
         pair_over(law, [k, &hull], &apart, [to_k, to_l]);
-        let mut worst = 0.0f64;
+        let (mut worst, partners) = (0.0f32, ground.partners as f32);
         for of in &sums {
             W::Sums::ZERO.each::<Enclosure<S>>(of, &mut |sum| {
-                let all = ground.partners * worse(sum.low, sum.high);
+                let all = partners * worse(sum.low, sum.high);
                 worst = worse(worst, worse(sum.worst, all));
             });
         }
-        worst
+        f64::from(worst)
     };
     holds::<S>(W::MAKES, 0, worst(&hull))
 }
@@ -210,7 +210,7 @@ pub fn by_pairs<S: Scalar, const D: usize, W: Law<S, D>>(
     for (place, node) in numbered(nodes) {
         let k = node.splat::<Enclosure<S>>();
         let mut to_k = W::Sums::ZERO.splat::<Enclosure<S>>();
-        let mut term = 0.0f64;
+        let mut term = 0.0f32;
         let mut add = |partner: &Partner<S, D>| {
             let Some(shown) = nodes.get(partner.place) else {
                 return;
@@ -243,7 +243,7 @@ pub fn by_pairs<S: Scalar, const D: usize, W: Law<S, D>>(
         each_partner(cells, place, &mut add);
         each_image(cells, place, &mut add);
         W::Sums::ZERO.each::<Enclosure<S>>(&to_k, &mut |sum| term = worse(term, sum.worst));
-        largest.see(place, excess * term);
+        largest.see(place, excess * f64::from(term));
     }
     ground.holds(W::MAKES, largest)
 }
@@ -270,9 +270,14 @@ fn add_images<S: Scalar, const D: usize, W: Law<S, D>>(
     if !cells.grid().has_walls() {
         return;
     }
-    let walls = cells.grid().walls();
-    for (place, node) in numbered(nodes) {
-        if !cells.grid().near_wall(&cells.cell(place)) {
+    let (walls, reach) = (cells.grid().walls(), cells.grid().farthest());
+    for (node, site) in nodes.iter().zip(cells.sites()) {
+        // Nobody sees an image that is farther than the particle is from its wall.
+        let is_near = |(x, ends): (&S, &[Option<S>; 2])| {
+            let mut ends = ends.iter().flatten();
+            ends.any(|&wall| (*x - wall).abs() <= reach)
+        };
+        if !site.position.iter().zip(&walls).any(is_near) {
             continue;
         }
         for combination in 1..3u32.saturating_pow(D as u32) {

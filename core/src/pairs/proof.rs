@@ -5,7 +5,6 @@
 
 use crate::error::{Error, Quantity};
 use crate::neighbours::Cells;
-use crate::numbered::numbered;
 use crate::scalar::Scalar;
 
 /// A bound, and the place in sorted order of the particle that it comes from.
@@ -21,20 +20,19 @@ impl Largest {
     /// The largest of some numbers in magnitude; they are compared as they are and turned into `f64`
     /// once.
     #[inline(always)]
-    pub fn of<S: Scalar>(numbers: impl Iterator<Item = S>) -> Self {
-        let (mut low, mut high) = ((0, S::ZERO), (0, S::ZERO));
-        for (place, number) in numbered(numbers) {
-            if number < low.1 {
-                low = (place, number);
-            }
-            if number > high.1 {
-                high = (place, number);
-            }
-        }
-        let mut largest = Self::default();
-        largest.see(low.0, -low.1.to_f64());
-        largest.see(high.0, high.1.to_f64());
-        largest
+    pub fn of<S: Scalar>(mut numbers: impl Iterator<Item = S> + Clone) -> Self {
+        // By `fold`, which walks rows of rows as two loops.
+        let all = numbers.clone();
+        let ends = all.fold([S::ZERO; 2], |[low, high], number| {
+            [low.lesser(number), high.greater(number)]
+        });
+        let [below, above] = ends.map(|end| end.to_f64().abs());
+        let (bound, end) = match above >= below {
+            true => (above, ends[1]),
+            false => (below, ends[0]),
+        };
+        let place = numbers.position(|number| number == end).unwrap_or(0);
+        Self { bound, place }
     }
 
     /// Takes another one in, if it is larger or no number.
@@ -83,13 +81,10 @@ pub struct Ground<'a, 'c, S, const D: usize> {
 impl<'a, 'c, S: Scalar, const D: usize> Ground<'a, 'c, S, D> {
     /// That of a cloud.
     pub fn of(cells: &'a Cells<'c, S, D>) -> Self {
-        let squares = cells.sites().iter().map(|site| site.reach_squared);
-        let squared = squares.reduce(Scalar::greater).unwrap_or(S::ZERO);
         Self {
             cells,
             partners: cells.most_partners() as f64,
-            // A unit of the last place for the rounding of the square.
-            reach: libm::sqrt(squared.to_f64()) + S::TINIEST.to_f64(),
+            reach: cells.grid().farthest().to_f64(),
         }
     }
 

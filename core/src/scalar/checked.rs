@@ -228,6 +228,9 @@ impl<S: Scalar> Scalar for Checked<S> {
     fn to_f64(self) -> f64 {
         self.value.to_f64()
     }
+    fn to_f32(self) -> f32 {
+        self.value.to_f32()
+    }
     fn bits(self) -> u64 {
         self.value.bits()
     }

@@ -5,45 +5,71 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 use super::{Number, Scalar};
 
-/// An interval of values of `S`, by interval arithmetic in `f64`.
+/// An interval of values of `S`, by interval arithmetic in `f32`.
 ///
 /// A law written over [`Number`] is evaluated over intervals as it stands: `worst` bounds the
 /// magnitude of every sum and product on the way. Quotients and roots saturate in `S`, and do here.
-/// Each product and quotient is widened by a unit of the last place, for its rounding.
+/// Each product and quotient is widened by a unit of the last place of `S`, for its rounding, and every
+/// result by one part in four millions, for that of `f32`: a device has it in hardware, and a bound
+/// needs no more digits.
 #[derive(Clone, Copy, Debug)]
 pub struct Enclosure<S> {
     /// The least value.
-    pub low: f64,
+    pub low: f32,
     /// The largest one.
-    pub high: f64,
+    pub high: f32,
     /// The largest magnitude of anything that it was made from.
-    pub worst: f64,
+    pub worst: f32,
     ends: [S; 2],
+}
+
+/// Four roundings of `f32`.
+const SLACK: f32 = 2.0 * f32::EPSILON;
+
+/// Not below what was rounded to `x`.
+#[inline(always)]
+fn up(x: f32) -> f32 {
+    x + x.abs() * SLACK
+}
+
+/// Not above what was rounded to `x`.
+#[inline(always)]
+fn down(x: f32) -> f32 {
+    x - x.abs() * SLACK
 }
 
 /// The larger of two bounds; no number, or one out of every range, beats all others.
 #[inline(always)]
-fn larger(a: f64, b: f64) -> f64 {
+fn larger(a: f32, b: f32) -> f32 {
     if a >= b { a } else { b }
 }
 
 /// Whether an interval reaches as far below 0 as above, as most of what a proof sees do: half the work.
 #[inline(always)]
-fn is_even(low: f64, high: f64) -> bool {
+fn is_even(low: f32, high: f32) -> bool {
     low.to_bits() == (-high).to_bits()
 }
 
-/// The larger of two magnitudes, by their bits: a device without `f64` has them sooner than values. No
-/// number beats all others here too.
+/// The larger of two magnitudes, by their bits: a device without a unit for floats has them sooner than
+/// values. No number beats all others here too.
 #[inline(always)]
-pub(crate) fn worse(a: f64, b: f64) -> f64 {
+pub(crate) fn worse(a: f32, b: f32) -> f32 {
     let [a, b] = [a, b].map(|x| x.abs().to_bits());
-    f64::from_bits(if a >= b { a } else { b })
+    f32::from_bits(if a >= b { a } else { b })
 }
 
 impl<S: Scalar> Enclosure<S> {
     /// From `low` to `high`.
     pub fn new(low: f64, high: f64) -> Self {
+        Self::between(down(low as f32), up(high as f32))
+    }
+
+    /// From `-size` to `size`.
+    pub fn within(size: f64) -> Self {
+        Self::new(-size, size)
+    }
+
+    fn between(low: f32, high: f32) -> Self {
         Self {
             low,
             high,
@@ -52,13 +78,8 @@ impl<S: Scalar> Enclosure<S> {
         }
     }
 
-    /// From `-size` to `size`.
-    pub fn within(size: f64) -> Self {
-        Self::new(-size, size)
-    }
-
-    fn of(low: f64, high: f64, from: [&Self; 2]) -> Self {
-        let mut made = Self::new(low, high);
+    fn of(low: f32, high: f32, from: [&Self; 2]) -> Self {
+        let mut made = Self::between(low, high);
         for operand in from {
             made.worst = worse(made.worst, operand.worst);
         }
@@ -66,40 +87,40 @@ impl<S: Scalar> Enclosure<S> {
     }
 
     /// The same, wider by a unit of the last place.
-    fn rounded(low: f64, high: f64, from: [&Self; 2]) -> Self {
-        let unit = S::TINIEST.to_f64();
-        let above = high + unit;
+    fn rounded(low: f32, high: f32, from: [&Self; 2]) -> Self {
+        let unit = S::TINIEST.to_f32();
+        let above = up(high + unit);
         match is_even(low, high) {
             true => Self::of(-above, above, from),
-            false => Self::of(low - unit, above, from),
+            false => Self::of(down(low - unit), above, from),
         }
     }
 
     /// The range of sums.
-    fn sums(&self, [low, high]: [f64; 2]) -> (f64, f64) {
-        let sum = self.high + high;
+    fn sums(&self, [low, high]: [f32; 2]) -> (f32, f32) {
+        let sum = up(self.high + high);
         match is_even(self.low, self.high) && is_even(low, high) {
             true => (-sum, sum),
-            false => (self.low + low, sum),
+            false => (down(self.low + low), sum),
         }
     }
 
     /// The range of products.
-    fn products(&self, other: &Self) -> (f64, f64) {
+    fn products(&self, other: &Self) -> (f32, f32) {
         if is_even(self.low, self.high) || is_even(other.low, other.high) {
-            let product = worse(self.low, self.high) * worse(other.low, other.high);
+            let product = up(worse(self.low, self.high) * worse(other.low, other.high));
             return (-product, product);
         }
         self.corners(other, |a, b| a * b)
     }
 
-    fn corners(&self, other: &Self, operation: impl Fn(f64, f64) -> f64) -> (f64, f64) {
+    fn corners(&self, other: &Self, operation: impl Fn(f32, f32) -> f32) -> (f32, f32) {
         let [a, b] = [self.low, self.high].map(|x| operation(x, other.low));
         let [c, d] = [self.low, self.high].map(|x| operation(x, other.high));
-        let least = |x: f64, y: f64| -larger(-x, -y);
+        let least = |x: f32, y: f32| -larger(-x, -y);
         (
-            least(least(a, b), least(c, d)),
-            larger(larger(a, b), larger(c, d)),
+            down(least(least(a, b), least(c, d))),
+            up(larger(larger(a, b), larger(c, d))),
         )
     }
 }
@@ -134,15 +155,15 @@ impl<S: Scalar> Mul for Enclosure<S> {
 impl<S: Scalar> Div for Enclosure<S> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
-        let largest = S::LARGEST.to_f64();
+        let largest = S::LARGEST.to_f32();
         let (low, high) = match other.low > 0.0 || other.high < 0.0 {
             true => self.corners(&other, |a, b| a / b),
             false => (-largest, largest),
         };
-        let bounded = |x: f64| x.max(-largest).min(largest);
+        let bounded = |x: f32| x.max(-largest).min(largest);
         let mut made = Self::of(bounded(low), bounded(high), [&self, &other]);
-        let unit = S::TINIEST.to_f64();
-        (made.low, made.high) = (made.low - unit, made.high + unit);
+        let unit = S::TINIEST.to_f32();
+        (made.low, made.high) = (down(made.low - unit), up(made.high + unit));
         made
     }
 }
@@ -162,10 +183,10 @@ impl<S: Scalar> Number for Enclosure<S> {
     const LANES: usize = 1;
 
     fn splat(value: S) -> Self {
-        let x = value.to_f64();
+        let x = value.to_f32();
         Self {
             ends: [value; 2],
-            ..Self::new(x, x)
+            ..Self::between(down(x), up(x))
         }
     }
     /// Takes the value in: in lane 0 as a possible end, which [`Number::lane`] tells; in others as a
@@ -175,9 +196,9 @@ impl<S: Scalar> Number for Enclosure<S> {
         self.ends[0] = self.ends[0].lesser(value);
         self.ends[1] = self.ends[1].greater(value);
         if i > 0 {
-            let x = value.to_f64();
-            self.low = -larger(-self.low, -x);
-            self.high = larger(self.high, x);
+            let x = value.to_f32();
+            self.low = -larger(-self.low, -down(x));
+            self.high = larger(self.high, up(x));
             self.worst = worse(self.worst, worse(self.low, self.high));
         }
     }
@@ -187,8 +208,8 @@ impl<S: Scalar> Number for Enclosure<S> {
         self.ends[usize::from(i > 0)]
     }
     fn sqrt(self) -> Self {
-        let root = |x: f64| libm::sqrt(larger(x, 0.0));
-        Self::rounded(root(self.low), root(self.high), [&self, &self])
+        let root = |x: f32| libm::sqrtf(larger(x, 0.0));
+        Self::rounded(down(root(self.low)), up(root(self.high)), [&self, &self])
     }
     fn min(self, other: Self) -> Self {
         let low = -larger(-self.low, -other.low);
@@ -206,22 +227,69 @@ impl<S: Scalar> Number for Enclosure<S> {
         true
     }
     fn dot<const D: usize>(a: &[Self; D], b: &[Self; D]) -> Self {
-        let mut sum = Self::new(0.0, 0.0);
+        let mut sum = Self::between(0.0, 0.0);
         for (a, b) in a.iter().zip(b) {
             // The products are exact in double width: their sum alone has to fit.
             let (low, high) = a.products(b);
-            let mut product = Self::new(low, high);
+            let mut product = Self::between(low, high);
             product.worst = worse(a.worst, b.worst);
             sum += product;
         }
         Self::rounded(sum.low, sum.high, [&sum, &sum])
     }
     fn length_squared<const D: usize>(r: &[Self; D]) -> Self {
-        let limit = S::REACH_LIMIT.to_f64();
+        let limit = S::REACH_LIMIT.to_f32();
         let near = r.map(|x| {
-            let bounded = |x: f64| x.max(-limit).min(limit);
-            Self::new(bounded(x.low), bounded(x.high))
+            let bounded = |x: f32| x.max(-limit).min(limit);
+            Self::between(bounded(x.low), bounded(x.high))
         });
         Self::dot(&near, &near)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Q64;
+    use fixed::types::extra::U32;
+
+    type Wide = Q64<U32>;
+
+    /// What 64 bits hold and `f32` does not lies within, after every operation.
+    #[test]
+    fn what_f32_rounds_is_within() {
+        fn check(exact: Wide, of: Enclosure<Wide>) {
+            let exact = exact.to_f64();
+            let (low, high) = (f64::from(of.low), f64::from(of.high));
+            assert!(low <= exact && exact <= high, "{exact} in {low} to {high}");
+            assert!(f64::from(of.worst) >= exact.abs());
+        }
+        let values = [
+            33_554_433.3,
+            -16_777_217.7,
+            1.000_000_06,
+            -0.333_333_3,
+            1e-9,
+        ];
+        let values = values.map(Wide::from_f64);
+        let of = |x: Wide| Enclosure::<Wide>::splat(x);
+        for a in values {
+            check(a, of(a));
+            check(-a, -of(a));
+            check(Number::sqrt(a.abs()), of(a.abs()).sqrt());
+            for b in values {
+                check(a + b, of(a) + of(b));
+                check(a - b, of(a) - of(b));
+                check(Number::max(a, b), of(a).max(of(b)));
+                check(Number::min(a, b), of(a).min(of(b)));
+                if a.to_f64().abs() * b.to_f64().abs() < 2e9 {
+                    check(a * b, of(a) * of(b));
+                    check(a / b, of(a) / of(b));
+                    let (x, y) = ([a, b], [b, a]);
+                    let dot = Enclosure::dot(&x.map(of), &y.map(of));
+                    check(Number::dot(&x, &y), dot);
+                }
+            }
+        }
     }
 }

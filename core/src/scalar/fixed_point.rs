@@ -297,6 +297,10 @@ macro_rules! fixed_point {
                 self.to_bits() as f64 / ((1 as $wide_unsigned) << Self::FRACTION) as f64
             }
             #[inline(always)]
+            fn to_f32(self) -> f32 {
+                self.to_bits() as f32 / ((1 as $wide_unsigned) << Self::FRACTION) as f32
+            }
+            #[inline(always)]
             fn bits(self) -> u64 {
                 self.to_bits() as $unsigned as u64
             }

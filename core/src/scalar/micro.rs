@@ -171,6 +171,10 @@ impl Scalar for Micro {
         f64::from(self.0)
     }
     #[inline(always)]
+    fn to_f32(self) -> f32 {
+        self.0
+    }
+    #[inline(always)]
     fn bits(self) -> u64 {
         Scalar::bits(self.0)
     }

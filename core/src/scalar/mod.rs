@@ -145,6 +145,8 @@ pub trait Scalar: Number<Scalar = Self> + PartialOrd + Debug + Send + Sync + 'st
     fn from_bits(bits: u64) -> Self;
     /// The value as `f64`, for reports; never used by the solver.
     fn to_f64(self) -> f64;
+    /// The nearest `f32`, for bounds.
+    fn to_f32(self) -> f32;
     /// The bit pattern, zero-extended.
     fn bits(self) -> u64;
     /// Half of it.

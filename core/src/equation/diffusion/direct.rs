@@ -147,24 +147,14 @@ pub(super) fn prove_walls<S: Scalar, const D: usize, const P: usize>(
         return Ok(());
     }
     for j in 0..P {
-        let (mut value, mut least, mut most) = (Largest::default(), S::LARGEST, S::ZERO);
-        let (mut low, mut high) = ((S::ZERO, 0), (S::ZERO, 0));
-        for (place, node) in numbered(nodes) {
-            let (u, b) = (node.value[j], node.diffusivity[j]);
-            if u < low.0 {
-                low = (u, place);
-            }
-            if u > high.0 {
-                high = (u, place);
-            }
-            most = most.greater(b);
-            if b > S::ZERO {
-                least = least.lesser(b);
-            }
-        }
-        value.see(low.1, -low.0.to_f64());
-        value.see(high.1, high.0.to_f64());
-        let conductors = [least.to_f64(), most.to_f64()];
+        let value = Largest::of(nodes.iter().map(|node| node.value[j]));
+        let ends = [S::LARGEST, S::ZERO];
+        let conductors = nodes.iter().fold(ends, |[least, most], node| {
+            let b = node.diffusivity[j];
+            let positive = if b > S::ZERO { b } else { least };
+            [least.lesser(positive), most.greater(b)]
+        });
+        let conductors = conductors.map(Scalar::to_f64);
         for (axis, ends) in numbered(grid.walls()) {
             for (end, wall) in numbered(ends) {
                 let condition = walls.get(axis).and_then(|ends| ends.get(end));

@@ -16,7 +16,7 @@ fn main() -> Result<(), Error> {
     let thin = Stretch { lower: 0.0, upper: 100.0, particles: 25, ..dense };
     let tube = Tube {
         half_length: 100.0, sides: [Side::Mirror; 2], stretches: &[dense, thin], gamma: 1.4,
-        width: Width::Adaptive { eta: 1.2 }, courant: 0.3, end: 25.0,
+        width: Width::adaptive(1.2), courant: 0.3, end: 25.0,
     };
     let materials = [tube.material()];
     let solver = tube.solver(CubicSpline, Pairwise(Coefficients::usual()), &materials);

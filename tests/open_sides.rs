@@ -97,9 +97,7 @@ impl Stream {
         GasDynamics {
             domain: self.domain(),
             cut_off: Self::cut_off(D),
-            width: Width::Adaptive {
-                eta: S::from_f64(Self::eta(D)),
-            },
+            width: Width::adaptive(S::from_f64(Self::eta(D))),
             viscosity: Pairwise(Coefficients {
                 alpha: S::ONE,
                 beta: S::from_f64(2.0),

@@ -57,7 +57,7 @@ impl Contact {
         let dynamics = GasDynamics {
             domain: Domain { axes },
             cut_off,
-            width: Width::Adaptive { eta },
+            width: Width::adaptive(eta),
             viscosity: Pairwise(Coefficients {
                 alpha: self.alpha,
                 beta: 2.0 * self.alpha,

@@ -130,7 +130,7 @@ fn tube<S: Scalar>(energy: f64, velocity: f64, contrast: u32) -> Made {
         sides: [Side::Mirror; 2],
         stretches: &stretches,
         gamma: 1.4,
-        width: Width::Adaptive { eta: 1.0 },
+        width: Width::adaptive(1.0),
         courant: 0.3,
         end: 8.0,
     };

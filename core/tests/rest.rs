@@ -41,7 +41,7 @@ fn line(n: usize, material: &[Named<f64>; 1], energy: EnergyForm) -> Line<'_> {
             axes: [Axis::periodic(0.0, n as f64)],
         },
         cut_off: CubicSpline,
-        width: Width::Adaptive { eta: 1.2 },
+        width: Width::adaptive(1.2),
         viscosity: Pairwise(Coefficients {
             alpha: 0.0,
             beta: 0.0,
@@ -277,7 +277,7 @@ fn a_plane_at_rest_stays_at_rest_for_100_000_steps() {
                 axes: [spacing, height].map(|side| Axis::periodic(0.0, ROWS as f64 * side)),
             },
             cut_off: WendlandC2,
-            width: Width::Adaptive { eta: 1.3 },
+            width: Width::adaptive(1.3),
             viscosity: Pairwise(Coefficients {
                 alpha: 0.0,
                 beta: 0.0,

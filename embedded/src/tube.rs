@@ -51,7 +51,7 @@ pub const TUBE: Tube<'static> = Tube {
         },
     ],
     gamma: 1.4,
-    width: Width::Adaptive { eta: 1.0 },
+    width: Width::adaptive(1.0),
     courant: 0.3,
     end: 26.622359023948274,
 };

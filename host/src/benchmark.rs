@@ -152,7 +152,7 @@ pub fn plan(case: Case) -> gas::Plan {
         stretches: None,
         materials: vec![EquationOfState::IdealGas { gamma: 1.4 }],
         cut_off: NamedCutOff::CubicSpline,
-        width: Width::Adaptive { eta: case.eta },
+        width: Width::adaptive(case.eta),
         viscosity: Viscosity {
             kind: ViscosityKind::Pairwise,
             alpha: 1.0,

@@ -26,7 +26,7 @@ pub const TUBE: Tube = Tube {
         },
     ],
     gamma: 1.4,
-    width: Width::Adaptive { eta: 1.2 },
+    width: Width::adaptive(1.2),
     courant: 0.3,
     end: 8.0,
 };

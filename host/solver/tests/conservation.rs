@@ -79,9 +79,7 @@ fn drift<S: HostScalar>(side: Side, courant: f64, steps: u32) -> Drift {
         alpha: S::ONE,
         beta: S::from_f64(2.0),
     });
-    let width = Width::Adaptive {
-        eta: S::from_f64(1.2),
-    };
+    let width = Width::adaptive(S::from_f64(1.2));
     let mut solver = cloud().solver([[side; 2]; 2], CubicSpline, width, viscosity);
     solver.courant = S::from_f64(courant);
     let mut arrays = cloud().arrays::<S, 2>();

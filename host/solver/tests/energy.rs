@@ -13,7 +13,7 @@ use motes_core::equation::gas::{Diffusion, EnergyForm, Gas, Options, Plain, Swit
 use motes_solver::engine::Threads;
 use motes_solver::families::gas::OptionsArrays;
 
-const ADAPTIVE: Width<f64> = Width::Adaptive { eta: 1.2 };
+const ADAPTIVE: Width<f64> = Width::adaptive(1.2);
 
 /// Supersonic at random: particles run into each other and into the walls.
 fn violent(per_side: usize) -> Cloud {
@@ -112,7 +112,7 @@ fn is_conserved<const D: usize>(cloud: &Cloud, second: Named<f64>) {
                 ),
                 (only(energy), second),
             ] {
-                let width = Width::Adaptive { eta: cloud.eta };
+                let width = Width::adaptive(cloud.eta);
                 let mut solver = cloud.following(options, sides, CubicSpline, width, viscosity);
                 solver.courant = courant;
                 let drift = worst(cloud, &solver);

@@ -160,9 +160,7 @@ fn after_steps<P: Case<f32, 2>>(
     physics: P,
     sides: [[Side; 2]; 2],
 ) -> Result<Digest, Error> {
-    let width = Width::Adaptive {
-        eta: cloud.eta as f32,
-    };
+    let width = Width::adaptive(cloud.eta as f32);
     let solver = cloud.following(physics, sides, CubicSpline, width, pairwise());
     run(cloud, &solver, &mut PlainLoop, 3)
 }
@@ -175,9 +173,7 @@ fn all_engines_agree<S: HostScalar, const D: usize, C: CutOff, V: Viscosity<S>, 
     cut_off: C,
     viscosity: V,
 ) {
-    let width = Width::Adaptive {
-        eta: S::from_f64(cloud.eta),
-    };
+    let width = Width::adaptive(S::from_f64(cloud.eta));
     let solver = cloud.following(physics, sides, cut_off, width, viscosity);
     let steps = 3;
     let plain = run(cloud, &solver, &mut PlainLoop, steps);
@@ -387,7 +383,7 @@ fn a_bad_first_guess_of_epsilon_keeps_the_bits() {
         eta: 1.2,
         ..cloud(20, 7)
     };
-    let width = Width::Adaptive { eta: 1.9f64 };
+    let width = Width::adaptive(1.9f64);
     let all = everything(0, false);
     let solver = cloud.following(all, sides::<2>(12), CubicSpline, width, pairwise());
     let plain = run(&cloud, &solver, &mut PlainLoop, 2).unwrap();
@@ -409,9 +405,7 @@ fn rates_cancel<S: HostScalar, const D: usize, P: Case<S, D>>(physics: P, per_si
     let flows = physics.options().energy == EnergyForm::Total;
     for seed in 1..5 {
         let cloud = cloud(per_side, seed);
-        let width = Width::Adaptive {
-            eta: S::from_f64(1.2),
-        };
+        let width = Width::adaptive(S::from_f64(1.2));
         for sides in [sides::<D>(0), [[Side::Periodic; 2]; D]] {
             let solver = cloud.following(physics, sides, CubicSpline, width, pairwise::<S>());
             let mut arrays = cloud.arrays_of_two::<S, P::Shown, D>(&physics.options());
@@ -469,9 +463,7 @@ fn fixed_point_heat_cancels_exactly_within_each_material() {
                 speed: 0.0,
                 ..cloud(per_side, seed)
             };
-            let width = Width::Adaptive {
-                eta: S::from_f64(1.2),
-            };
+            let width = Width::adaptive(S::from_f64(1.2));
             let options = everything(form, false);
             for sides in [sides::<D>(0), [[Side::Periodic; 2]; D]] {
                 let solver = cloud.following(options, sides, CubicSpline, width, pairwise::<S>());

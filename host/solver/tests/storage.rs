@@ -40,9 +40,7 @@ fn solver<S: Scalar>(sides: [Side; 2]) -> Solver<S> {
         alpha: S::ONE,
         beta: S::from_f64(2.0),
     });
-    let width = Width::Adaptive {
-        eta: S::from_f64(1.2),
-    };
+    let width = Width::adaptive(S::from_f64(1.2));
     cloud().solver([sides], CubicSpline, width, viscosity)
 }
 

@@ -42,9 +42,9 @@ pub(super) fn tube(
         name: scenario.name.clone(),
     })?;
     let particles = plan.particles.len();
-    let (width, value) = match plan.width {
-        Width::Adaptive { eta } => ("Adaptive { eta", eta),
-        Width::Constant { epsilon } => ("Constant { epsilon", epsilon),
+    let width = match plan.width {
+        Width::Adaptive { eta, .. } => format!("adaptive({eta:?})"),
+        Width::Constant { epsilon } => format!("Constant {{ epsilon: {epsilon:?} }}"),
     };
     let (viscosity, viscosity_types) = viscosity(&plan.viscosity);
     let mut text = format!(
@@ -106,7 +106,7 @@ pub const TUBE: Tube<'static> = Tube {{
         text,
         "    ],
     gamma: {:?},
-    width: Width::{width}: {value:?} }},
+    width: Width::{width},
     courant: {:?},
     end: {:?},
 }};",

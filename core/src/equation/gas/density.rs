@@ -4,15 +4,21 @@
 //! *measure* μ is the mass (3.13), and ν then the density ρ; or it is 1, and ν a density of
 //! particles: see [`Weights`](super::Weights).
 //!
-//! With `S(λ) = Σ_l μ_l z(|r|/ε)`, `λ = ln ε`, the two say `σ S(λ_k) = μ_k η^D`: one equation
+//! Differs from the paper: the particle's own term is such that a lattice has its density. A sum over
+//! its points is not the integral of the cut-off, so `ν_k` is less by `δ μ_k ζ_ε_k(0)`, and
+//! `δ z(0) = T - η^D/σ` with `T = Σ_n z(|n|/η)` over the points of a lattice of spacing 1: see
+//! [`Packing`] (after Dehnen & Aly, MNRAS 425, 1068, 2012, section 2.5, who fit δ to glasses). Only
+//! where ε is adaptive; with one ε for all the spacing is not known.
+//!
+//! With `S(λ) = Σ_l μ_l z(|r|/ε)`, `λ = ln ε`, the two say `S(λ_k) = μ_k T`: one equation
 //! in one unknown, without a root. Its derivatives are sums over the same pairs,
 //!
 //! `S' = -Σ μ q z'`, `S'' = Σ μ (q z' + q² z'')`,
 //!
-//! and a second-order step `δ = d - (S''/2S') d²`, `d = (σ^-1 μ η^D - S)/S'`, ends in
+//! and a second-order step `δ = d - (S''/2S') d²`, `d = (μ T - S)/S'`, ends in
 //! `ε e^δ`, `ν = μ (η/ε)^D` and
 //!
-//! `Ω = 1 + ε/(D ν) ∂ν/∂ε = S'/(D S)`.
+//! `Ω = 1 + ε/(D ν) ∂ν/∂ε = σ S'/(D μ η^D)`.
 //!
 //! A step below [`Scalar::EXTRAPOLATION`] is the last one: what it leaves out is then of the
 //! order of the format's rounding (ε), or of the square of the step (Ω). Each particle
@@ -23,6 +29,8 @@ use crate::error::Error;
 use crate::pairs::{Ground, Law, Separation};
 use crate::record;
 use crate::scalar::{Number, Scalar};
+
+use super::packing::Packing;
 
 /// How wide the cut-off of a particle is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +44,19 @@ pub enum Width<S> {
     Adaptive {
         /// η, in spacings.
         eta: S,
+        /// The lattice that has its density.
+        packing: Packing,
     },
+}
+
+impl<S> Width<S> {
+    /// Adaptive, with the density of a cubic lattice.
+    pub const fn adaptive(eta: S) -> Self {
+        Self::Adaptive {
+            eta,
+            packing: Packing::Cubic,
+        }
+    }
 }
 
 record! {
@@ -92,21 +112,26 @@ pub struct Density<S, C, const D: usize> {
     sigma: S,
     /// `η^D/σ`.
     target: S,
+    /// `T`.
+    lattice: S,
 }
 
 impl<S: Scalar, C: CutOff, const D: usize> Density<S, C, D> {
     /// The law for a cut-off and a rule for its width.
     pub fn new(cut_off: C, width: Width<S>) -> Self {
         let sigma = S::from_f64(cut_off.normalisation::<D>());
-        let target = match width {
-            Width::Constant { .. } => S::ONE,
-            Width::Adaptive { eta } => eta.powi(D) / sigma,
+        let (target, lattice) = match width {
+            Width::Constant { .. } => (S::ONE, S::ONE),
+            Width::Adaptive { eta, packing } => {
+                (eta.powi(D) / sigma, packing.sum::<S, C, D>(cut_off, eta))
+            }
         };
         Self {
             cut_off,
             width,
             sigma,
             target,
+            lattice,
         }
     }
 
@@ -159,7 +184,8 @@ impl<S: Scalar, C: CutOff, const D: usize> Density<S, C, D> {
         let target = node.measure * self.target;
         let slope = -(sums.first * inverse * inverse);
         let second = sums.second * inverse * inverse;
-        let delta = self.step(node, target - sums.value, slope, second);
+        let missing = node.measure * self.lattice - sums.value;
+        let delta = self.step(node, missing, slope, second);
         node.epsilon += node.epsilon * (delta + (delta * delta).half());
         node.passes += S::ONE;
         if node.epsilon > node.limit {
@@ -247,7 +273,7 @@ impl<S: Scalar, C: CutOff, const D: usize> Law<S, D> for Density<S, C, D> {
                 node.density = self.sigma * sums.value * (S::ONE / epsilon).powi(D);
                 true
             }
-            Width::Adaptive { eta } => self.adapt(eta, node, sums),
+            Width::Adaptive { eta, .. } => self.adapt(eta, node, sums),
         }
     }
 }

@@ -94,9 +94,7 @@ impl Tube<'_> {
                 Width::Constant { epsilon } => Width::Constant {
                     epsilon: S::from_f64(epsilon),
                 },
-                Width::Adaptive { eta } => Width::Adaptive {
-                    eta: S::from_f64(eta),
-                },
+                Width::Adaptive { eta, .. } => Width::adaptive(S::from_f64(eta)),
             },
             viscosity,
             materials,
@@ -109,7 +107,7 @@ impl Tube<'_> {
     /// The particles of the first state: made in `f64`, then rounded to the scalar once.
     pub fn particles<S: Scalar>(&self) -> impl Iterator<Item = Particle<S, 1>> {
         let eta = match self.width {
-            Width::Adaptive { eta } => eta,
+            Width::Adaptive { eta, .. } => eta,
             Width::Constant { .. } => 1.0,
         };
         self.stretches

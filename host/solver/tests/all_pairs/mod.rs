@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 use motes_core::cutoff::Named;
 use motes_core::domain::{Axis, Side};
-use motes_core::equation::gas::{Weights, Width};
+use motes_core::equation::gas::{Packing, Weights, Width};
 
 pub type Vector<const D: usize> = [f64; D];
 
@@ -327,7 +327,7 @@ impl<const D: usize> Problem<D> {
         let images = self.images();
         let mut largest = match self.width {
             Width::Constant { epsilon } => epsilon,
-            Width::Adaptive { eta } => 2.0 * eta,
+            Width::Adaptive { eta, .. } => 2.0 * eta,
         };
         loop {
             // An image behind an image is nowhere made.
@@ -363,10 +363,10 @@ impl<const D: usize> Problem<D> {
     ) -> Option<f64> {
         let eta = match self.width {
             Width::Constant { epsilon } => return Some(epsilon),
-            Width::Adaptive { eta } => eta,
+            Width::Adaptive { eta, .. } => eta,
         };
         let too_wide = |epsilon: f64| {
-            self.sum(seen, bodies, epsilon) * power(epsilon, D) > measure * power(eta, D)
+            self.sum(seen, bodies, epsilon, measure) * power(epsilon, D) > measure * power(eta, D)
         };
         let (mut low, mut high) = (0.0, largest);
         if !too_wide(high) {
@@ -382,31 +382,55 @@ impl<const D: usize> Problem<D> {
         Some(high)
     }
 
-    /// `ν(ε) = Σ_l μ_l ζ_ε(x_k - x_l)`.
-    fn sum(&self, seen: &[Seen<D>], bodies: &[Body<D>], epsilon: f64) -> f64 {
-        let zeta = |s: &Seen<D>| zeta::<D>(self.cut_off, s.distance, epsilon);
-        let term = |s: &Seen<D>| self.measure(&bodies[s.l]) * zeta(s);
-        seen.iter().map(term).sum()
+    /// By how much a cubic lattice of spacing 1 is too dense at `ε = η`, and η; 0 where ε is the same
+    /// for all.
+    fn excess(&self) -> (f64, f64) {
+        let Width::Adaptive { eta, packing } = self.width else {
+            return (0.0, 1.0);
+        };
+        assert_eq!(packing, Packing::Cubic);
+        let most = (support(self.cut_off) * eta).ceil() as i32;
+        let along = |i: usize| if i < D { -most..=most } else { 0..=0 };
+        let mut density = 0.0;
+        for x in along(0) {
+            for y in along(1) {
+                for z in along(2) {
+                    let distance = f64::from(x * x + y * y + z * z).sqrt();
+                    density += zeta::<D>(self.cut_off, distance, eta);
+                }
+            }
+        }
+        (density - 1.0, eta)
     }
 
-    /// `Σ_l μ_l ∂ζ_ε/∂ε`.
-    fn by_epsilon(&self, seen: &[Seen<D>], epsilon: f64, bodies: &[Body<D>]) -> f64 {
+    /// `ν(ε) = Σ_l μ_l ζ_ε(x_k - x_l) - E μ_k (η/ε)^D`, E the excess of a lattice.
+    fn sum(&self, seen: &[Seen<D>], bodies: &[Body<D>], epsilon: f64, measure: f64) -> f64 {
+        let zeta = |s: &Seen<D>| zeta::<D>(self.cut_off, s.distance, epsilon);
+        let term = |s: &Seen<D>| self.measure(&bodies[s.l]) * zeta(s);
+        let (excess, eta) = self.excess();
+        seen.iter().map(term).sum::<f64>() - excess * measure * power(eta / epsilon, D)
+    }
+
+    /// `∂ν/∂ε`.
+    fn by_epsilon(&self, seen: &[Seen<D>], epsilon: f64, bodies: &[Body<D>], measure: f64) -> f64 {
         let term = |s: &Seen<D>| {
             self.measure(&bodies[s.l]) * zeta_by_epsilon::<D>(self.cut_off, s.distance, epsilon)
         };
-        seen.iter().map(term).sum()
+        let (excess, eta) = self.excess();
+        let own = excess * measure * power(eta / epsilon, D) * D as f64 / epsilon;
+        seen.iter().map(term).sum::<f64>() + own
     }
 
     /// See [`Found::bend`]. Beside the solution, Ω is `∂(ν ε^D)/∂ ln ε / (D ν ε^D)` with the
     /// ν ε^D of the solution.
-    fn bend(&self, seen: &[Seen<D>], epsilon: f64, bodies: &[Body<D>]) -> [f64; 2] {
+    fn bend(&self, seen: &[Seen<D>], epsilon: f64, bodies: &[Body<D>], measure: f64) -> [f64; 2] {
         if let Width::Constant { .. } = self.width {
             return [0.0; 2];
         }
         let omegas = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|steps| {
             let epsilon = epsilon * f64::exp(steps * self.probe);
-            let sum = self.sum(seen, bodies, epsilon);
-            let slope = sum + epsilon / D as f64 * self.by_epsilon(seen, epsilon, bodies);
+            let sum = self.sum(seen, bodies, epsilon, measure);
+            let slope = sum + epsilon / D as f64 * self.by_epsilon(seen, epsilon, bodies, measure);
             power(epsilon, D) * slope
         });
         let largest =
@@ -427,11 +451,12 @@ impl<const D: usize> Problem<D> {
         epsilon: f64,
         bodies: &[Body<D>],
     ) -> Found<D> {
-        let nu = self.sum(seen, bodies, epsilon);
+        let measure = self.measure(body);
+        let nu = self.sum(seen, bodies, epsilon, measure);
         let omega = match self.width {
             Width::Constant { .. } => 1.0,
             Width::Adaptive { .. } => {
-                1.0 + epsilon / (D as f64 * nu) * self.by_epsilon(seen, epsilon, bodies)
+                1.0 + epsilon / (D as f64 * nu) * self.by_epsilon(seen, epsilon, bodies, measure)
             }
         };
         let (mut sum, mut terms) = (0.0, 0.0);
@@ -456,7 +481,7 @@ impl<const D: usize> Problem<D> {
             power: 0.0,
             heat: 0.0,
             power_terms: 0.0,
-            bend: self.bend(seen, epsilon, bodies),
+            bend: self.bend(seen, epsilon, bodies, measure),
             partners: seen
                 .iter()
                 .filter(|s| !s.itself)

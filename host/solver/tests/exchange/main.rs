@@ -126,7 +126,7 @@ impl<'a, C: CutOff, V: Viscosity<f64>, E: EquationOfState<f64>, const D: usize>
             solver: GasDynamics {
                 domain,
                 cut_off,
-                width: Width::Adaptive { eta },
+                width: Width::adaptive(eta),
                 viscosity,
                 materials,
                 physics: options,

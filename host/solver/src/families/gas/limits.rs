@@ -11,7 +11,7 @@ use crate::run::{RunError, check_numbers};
 /// Refuses a plan with a number that the format cannot hold to 1 %.
 pub(super) fn check_format<S: Scalar>(plan: &Plan, scalar: &str) -> Result<(), RunError> {
     let width = match plan.width {
-        Width::Adaptive { eta } => ("eta", eta),
+        Width::Adaptive { eta, .. } => ("eta", eta),
         Width::Constant { epsilon } => ("epsilon", epsilon),
     };
     let mut numbers = vec![

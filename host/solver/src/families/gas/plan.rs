@@ -75,8 +75,9 @@ impl Plan {
                 Width::Constant { epsilon } => Width::Constant {
                     epsilon: S::from_f64(epsilon),
                 },
-                Width::Adaptive { eta } => Width::Adaptive {
+                Width::Adaptive { eta, packing } => Width::Adaptive {
                     eta: S::from_f64(eta),
+                    packing,
                 },
             },
             viscosity,

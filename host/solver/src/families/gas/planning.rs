@@ -3,7 +3,7 @@
 use motes_core::cutoff::CutOff;
 use motes_core::domain::{Axis, Side};
 use motes_core::equation::gas::{
-    Diffusion, EnergyForm, Options, Particle, Plain, Stretch, Switch, Weights, Width,
+    Diffusion, EnergyForm, Options, Packing, Particle, Plain, Stretch, Switch, Weights, Width,
 };
 
 use super::opening::OpenSides;
@@ -213,7 +213,10 @@ impl Frame<'_> {
 
     fn width(&self) -> Width<f64> {
         match self.scenario.cut_off.width {
-            scenario::Width::Adaptive { .. } => Width::Adaptive { eta: self.eta() },
+            scenario::Width::Adaptive { .. } => Width::Adaptive {
+                eta: self.eta(),
+                packing: packing(&self.scenario.resolution.arrangement),
+            },
             scenario::Width::Constant { epsilon } => Width::Constant {
                 epsilon: epsilon / self.units.length,
             },
@@ -389,6 +392,14 @@ fn check_reach(scenario: &Scenario, placed: &[Placed], fineness: f64) -> Result<
         least,
         most,
     })
+}
+
+/// The lattice nearest to an arrangement.
+fn packing(arrangement: &Arrangement) -> Packing {
+    match arrangement {
+        Arrangement::Hexagonal | Arrangement::ClosePacked | Arrangement::Glass => Packing::Close,
+        _ => Packing::Cubic,
+    }
 }
 
 /// Refuses units that `f64` cannot hold with room around them.

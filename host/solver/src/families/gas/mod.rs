@@ -1,6 +1,7 @@
 //! Gas dynamics.
 
 mod description;
+mod doubts;
 mod exact;
 mod limits;
 mod memory;

@@ -36,7 +36,8 @@ impl Plan {
     /// What [`PlanError`] lists.
     pub fn new(scenario: &Scenario) -> Result<Self, PlanError> {
         Self::check_size(scenario)?;
-        let (placed, doubts) = setup::placed(scenario)?;
+        let (placed, mut doubts) = setup::placed(scenario)?;
+        doubts.extend(super::doubts::doubts(scenario, &placed));
         let units = units(scenario, &placed);
         check_units(&units)?;
         let fineness = fineness(placed.len(), scenario.dimension);

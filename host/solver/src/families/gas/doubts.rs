@@ -1,0 +1,145 @@
+//! Why a gas may not be at rest, or not resolved, where it starts.
+
+use crate::scenario::{Arrangement, Ball, Region, Scenario, Side};
+use crate::setup::Placed;
+
+/// Spacings across a region below which its waves are not resolved.
+const LEAST: f64 = 10.0;
+
+/// What a careful reader should know of a gas at t = 0.
+pub(super) fn doubts(scenario: &Scenario, placed: &[Placed]) -> Vec<String> {
+    let starved = starved(scenario, placed).into_iter();
+    starved
+        .chain(uneven_walls(scenario))
+        .chain(melting(scenario))
+        .collect()
+}
+
+/// Regions that are but a few spacings wide.
+fn starved(scenario: &Scenario, placed: &[Placed]) -> Vec<String> {
+    let of_region = |(number, region): (usize, &Region)| {
+        let inside = |particle: &&Placed| holds(region, &particle.position[..scenario.dimension]);
+        // What lies in several is that of the last of them, as its density tells.
+        let mine = |particle: &&Placed| inside(particle) && particle.density == region.density;
+        let mass = placed.iter().find(mine)?.mass;
+        let spacing = libm::pow(mass / region.density, 1.0 / scenario.dimension as f64);
+        let across = narrowest(scenario, region)? / spacing;
+        (across < LEAST).then(|| {
+            let factor = libm::pow(LEAST / across, scenario.dimension as f64);
+            let needed = libm::ceil(factor * placed.len() as f64);
+            format!(
+                "region {number} is {across:.1} spacings across, and what happens in it takes ten and more: \
+                 use {needed} particles, or resolution.share = \"volume\""
+            )
+        })
+    };
+    scenario
+        .regions
+        .iter()
+        .enumerate()
+        .filter_map(of_region)
+        .collect()
+}
+
+fn holds(region: &Region, point: &[f64]) -> bool {
+    match &region.ball {
+        Some(ball) => ball.distance_squared(point) < ball.radius * ball.radius,
+        None => {
+            let bounds = region.extent.lower.iter().zip(&region.extent.upper);
+            (point.iter().zip(bounds)).all(|(x, (lower, upper))| (lower..=upper).contains(&x))
+        }
+    }
+}
+
+/// The width of a region where it ends before the domain does; `None` where it is all of it.
+fn narrowest(scenario: &Scenario, region: &Region) -> Option<f64> {
+    if let Some(Ball { radius, .. }) = region.ball {
+        return Some(2.0 * radius);
+    }
+    let domain = &scenario.domain.extent;
+    let ends = region.extent.lower.iter().zip(&region.extent.upper);
+    let whole = domain.lower.iter().zip(&domain.upper);
+    ends.zip(whole)
+        .filter(|((lower, upper), (first, last))| lower > first || upper < last)
+        .map(|((lower, upper), _)| upper - lower)
+        .reduce(f64::min)
+}
+
+/// Lattices that do not go on in a mirror.
+fn uneven_walls(scenario: &Scenario) -> Option<String> {
+    let name = match scenario.resolution.arrangement {
+        Arrangement::Hexagonal => "hexagonal",
+        Arrangement::ClosePacked => "close-packed",
+        _ => return None,
+    };
+    let is_mirror = |sides: &[Side; 2]| sides.contains(&Side::Mirror);
+    scenario.domain.sides.iter().any(is_mirror).then(|| {
+        format!(
+            "a {name} lattice does not go on as one behind a mirror: the density of its last rows is some \
+             percent off, and they move; use resolution.arrangement = \"glass\", or a square or cubic lattice"
+        )
+    })
+}
+
+/// Lattices that a weight shears.
+fn melting(scenario: &Scenario) -> Option<String> {
+    let is_square = match scenario.resolution.arrangement {
+        Arrangement::Square | Arrangement::Cubic => true,
+        Arrangement::EqualMass => scenario.profile.is_none(),
+        _ => false,
+    };
+    let is_heavy = scenario
+        .acceleration
+        .iter()
+        .any(|&component| component != 0.0);
+    (is_square && is_heavy && scenario.dimension > 1).then(|| {
+        "a square or cubic lattice gives way under a weight: its rows slip and it melts, with velocities \
+         of a percent of the speed of sound; use resolution.arrangement = \"glass\""
+            .to_owned()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::Source;
+    use crate::setup::particles;
+
+    fn told(name: &str, changes: &[&str]) -> String {
+        let changes: Vec<String> = changes.iter().map(|change| (*change).to_owned()).collect();
+        let scenario = Scenario::read(Source::from(name), &changes).unwrap();
+        doubts(&scenario, &particles(&scenario).unwrap()).join("\n")
+    }
+
+    /// The thin side of Sod's tube has a ninth of the particles.
+    #[test]
+    fn a_region_of_few_spacings_is_told_with_what_it_takes() {
+        let few = told("sod", &["resolution.particles=54"]);
+        assert!(few.contains("region 1 is 6.0 spacings across"), "{few}");
+        assert!(few.contains("use 90 particles"), "{few}");
+        assert_eq!(told("sod", &["resolution.particles=90"]), "");
+        // By volume both sides have half of them.
+        let even = ["resolution.particles=54", "resolution.share=volume"];
+        assert_eq!(told("sod", &even), "");
+        // A ball of six spacings.
+        let ball = told("wind-tunnel", &["region.1.radius=0.06"]);
+        assert!(ball.contains("region 1 is"), "{ball}");
+    }
+
+    #[test]
+    fn lattices_that_do_not_stay_are_told() {
+        let walls = ["domain.sides=[\"mirror\", \"mirror\"]"];
+        let lattice = |name: &str| format!("resolution.arrangement={name}");
+        let (hexagonal, square) = (lattice("hexagonal"), lattice("square"));
+        let told = |changes: &[&str]| told("sod2d", changes);
+        let uneven = told(&[walls[0], &hexagonal]);
+        assert!(uneven.contains("behind a mirror"), "{uneven}");
+        assert!(!told(&[walls[0], &square]).contains("behind a mirror"));
+        assert!(!told(&[&hexagonal]).contains("behind a mirror"));
+        let weight = "force.acceleration=[0.0, -1.0]";
+        let melting = told(&[walls[0], &square, weight]);
+        assert!(melting.contains("gives way under a weight"), "{melting}");
+        let glass = lattice("glass");
+        assert!(!told(&[walls[0], &glass, weight]).contains("gives way"));
+    }
+}

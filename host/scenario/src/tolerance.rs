@@ -29,6 +29,14 @@ pub enum Field {
     Pressure,
     /// Internal energy per mass.
     Energy,
+    /// Density * velocity.
+    Momentum,
+    /// Density * (energy + velocity^2 / 2).
+    TotalEnergy,
+    /// The velocity away from the center, where there is one.
+    VelocityRadial,
+    /// The velocity around it.
+    VelocityAzimuthal,
 }
 
 /// A norm of an error.
@@ -44,6 +52,10 @@ pub enum Norm {
     Mean,
     /// Root of the mean square over the particles.
     Rms,
+    /// Mean over the volume, over the same mean of the exact field.
+    RelativeL1,
+    /// Mean over the mass.
+    MassL1,
 }
 
 impl Field {
@@ -66,19 +78,25 @@ impl Norm {
     }
 }
 
-const FIELDS: [(&str, Field); 4] = [
+const FIELDS: [(&str, Field); 8] = [
     ("density", Field::Density),
     ("velocity", Field::Velocity),
     ("pressure", Field::Pressure),
     ("energy", Field::Energy),
+    ("momentum", Field::Momentum),
+    ("total_energy", Field::TotalEnergy),
+    ("velocity_radial", Field::VelocityRadial),
+    ("velocity_azimuthal", Field::VelocityAzimuthal),
 ];
 
-const NORMS: [(&str, Norm); 5] = [
+const NORMS: [(&str, Norm); 7] = [
     ("l1", Norm::L1),
     ("l2", Norm::L2),
     ("linf", Norm::Linf),
     ("mean", Norm::Mean),
     ("rms", Norm::Rms),
+    ("relative_l1", Norm::RelativeL1),
+    ("mass_l1", Norm::MassL1),
 ];
 
 /// `[tolerance]` of a gas.

@@ -100,6 +100,8 @@ const SHARED: Sections = &[
             key("linf", "linf = 0.1"),
             key("mean", "mean = 0.0035"),
             key("rms", "rms = 0.01"),
+            key("relative_l1", "relative_l1 = 0.01"),
+            key("mass_l1", "mass_l1 = 0.01"),
             key("reason", "reason = \"1.05 of what 900 particles give\""),
         ],
     ),

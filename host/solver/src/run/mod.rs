@@ -5,6 +5,7 @@
 //! `pace` says whether it ends in a time that one waits for.
 
 mod complete;
+mod derived;
 mod description;
 mod error;
 mod limits;
@@ -20,7 +21,7 @@ pub(crate) use description::fields;
 pub use description::{Abscissa, Description, Field, Kind, View};
 pub use error::RunError;
 pub(crate) use limits::{check_memory, check_numbers, check_step};
-pub use norms::{ENERGY, NormSums, Norms, RECONSTRUCTION, STATE, Window, errors};
+pub use norms::{ENERGY, NormSums, Norms, RECONSTRUCTION, STATE, Share, Window, errors};
 pub use outcome::{Outcome, Sample, Series};
 pub use pace::{Mark, Pace};
 pub use schedule::Schedule;

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::derived::Derived;
 use super::description::Kind;
 use super::simulation::{Row, Simulation};
 use crate::exact::solution::Solution;
@@ -20,6 +21,10 @@ pub struct Norms {
     pub mean: f64,
     /// `(Σ err_k² / n)^(1/2)`: likewise.
     pub rms: f64,
+    /// `Σ V_k |err_k| / Σ V_k |exact_k|`; `None` of a field that is 0.
+    pub relative_l1: Option<f64>,
+    /// `Σ m_k |err_k| / Σ m_k`; `None` where particles have no mass.
+    pub mass_l1: Option<f64>,
 }
 
 impl Norms {
@@ -31,6 +36,8 @@ impl Norms {
             Norm::Linf => self.linf,
             Norm::Mean => self.mean,
             Norm::Rms => self.rms,
+            Norm::RelativeL1 => self.relative_l1.unwrap_or(f64::NAN),
+            Norm::MassL1 => self.mass_l1.unwrap_or(f64::NAN),
         }
     }
 }
@@ -45,12 +52,27 @@ pub struct NormSums {
     linf: f64,
     mean: f64,
     squares: f64,
+    exact: f64,
+    mass: f64,
+    by_mass: f64,
+}
+
+/// How much a particle counts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Share {
+    /// Its volume.
+    pub volume: f64,
+    /// Its mass; 0 where there is none.
+    pub mass: f64,
 }
 
 impl NormSums {
-    /// Adds the error of a particle.
-    pub fn add(&mut self, volume: f64, error: f64) {
+    /// Adds the error of a particle where the exact value is of size `exact`.
+    pub fn add(&mut self, Share { volume, mass }: Share, error: f64, exact: f64) {
         let size = error.abs();
+        self.exact += volume * exact.abs();
+        self.mass += mass;
+        self.by_mass += mass * size;
         self.volume += volume;
         self.count += 1.0;
         self.l1 += volume * size;
@@ -68,6 +90,8 @@ impl NormSums {
             linf: self.linf,
             mean: self.mean / self.count,
             rms: (self.squares / self.count).sqrt(),
+            relative_l1: (self.exact > 0.0).then(|| self.l1 / self.exact),
+            mass_l1: (self.mass > 0.0).then(|| self.by_mass / self.mass),
         })
     }
 }
@@ -105,7 +129,8 @@ impl Window<'_> {
 
 /// The norms of the error of each field that a solution has, over the particles in the window;
 /// `None` if there are none. Where the fields are one state also of [`STATE`], and of
-/// [`RECONSTRUCTION`], given at all particles.
+/// [`RECONSTRUCTION`], given at all particles; of a gas also those of `momentum`, `total_energy` and, about
+/// a center, `velocity_radial` and `velocity_azimuthal`.
 ///
 /// The error of a vector is the length of the difference.
 pub fn errors(
@@ -119,6 +144,10 @@ pub fn errors(
     let mut sums = vec![NormSums::default(); fields.len()];
     let (mut state, mut smoothed) = (NormSums::default(), NormSums::default());
     let (mut energy, weights) = (NormSums::default(), simulation.energy_weights());
+    let derived = Derived::of(description);
+    let names = derived.as_ref().map_or(&[][..], Derived::names);
+    let mut more = vec![NormSums::default(); names.len()];
+    let mass = description.fields.iter().find(|field| field.name == "mass");
     let mut exact = vec![0.0; solution.components()];
     let (time, mut id) = (simulation.time(), 0);
     simulation.each(|row: &Row| {
@@ -127,31 +156,43 @@ pub fn errors(
             return;
         }
         solution.write(row.position, time, &mut exact);
+        let share = Share {
+            volume: row.volume,
+            mass: mass.map_or(0.0, |mass| row.values[mass.first]),
+        };
         let mut rest = &exact[..];
         for (field, sums) in fields.iter().zip(&mut sums) {
             let (of_field, after) = rest.split_at(field.components);
             rest = after;
             let values = &row.values[field.places()];
-            sums.add(
-                row.volume,
-                match field.kind {
-                    Kind::Vector => distance(values, of_field),
-                    _ => values[0] - of_field[0],
-                },
-            );
+            let error = match field.kind {
+                Kind::Vector => distance(values, of_field),
+                _ => values[0] - of_field[0],
+            };
+            sums.add(share, error, length(of_field));
+        }
+        if let Some(derived) = &derived {
+            let errors = derived.errors(&row.values, &exact, &row.position);
+            for (sums, (error, size)) in more.iter_mut().zip(errors) {
+                sums.add(share, error, size);
+            }
         }
         if description.is_state {
             let p = exact.len();
             let first = fields[0].first;
-            state.add(row.volume, distance(&row.values[first..first + p], &exact));
+            let error = distance(&row.values[first..first + p], &exact);
+            state.add(share, error, length(&exact));
             if !weights.is_empty() {
                 let values = &row.values[first..first + p];
-                energy.add(row.volume, weighted(values, &exact, &weights));
+                let nothing = vec![0.0; p];
+                let size = weighted(&nothing, &exact, &weights);
+                energy.add(share, weighted(values, &exact, &weights), size);
             }
             let smooth = &reconstruction[(id - 1) * p..id * p];
-            smoothed.add(row.volume, distance(smooth, &exact));
+            smoothed.add(share, distance(smooth, &exact), length(&exact));
         }
     });
+    let more = names.iter().copied().zip(more);
     let names = fields.iter().map(|field| field.name.as_str());
     let whole = [(STATE, state), (RECONSTRUCTION, smoothed)];
     let whole = whole.into_iter().filter(|_| description.is_state);
@@ -160,13 +201,20 @@ pub fn errors(
         .zip(sums)
         .chain(whole)
         .chain(energy)
+        .chain(more)
         .map(|(name, sums)| Some((name.to_owned(), sums.norms()?)))
         .collect()
 }
 
-fn distance(a: &[f64], b: &[f64]) -> f64 {
+/// `|a - b|`.
+pub(super) fn distance(a: &[f64], b: &[f64]) -> f64 {
     let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
     squares.sum::<f64>().sqrt()
+}
+
+/// `|a|`.
+pub(super) fn length(a: &[f64]) -> f64 {
+    a.iter().map(|a| a * a).sum::<f64>().sqrt()
 }
 
 /// `((a - b)·P(a - b))^(1/2)`.

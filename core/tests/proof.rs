@@ -10,7 +10,7 @@ use motes_core::equation::diffusion::{
 };
 use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
 use motes_core::equation::gas::{PlainStorage, Stretch, Tube, Width};
-use motes_core::equation::linear::systems::{Acoustics, Units};
+use motes_core::equation::linear::systems::{Acoustics, Transport, Units};
 use motes_core::equation::linear::{LinearDynamics, LinearStorage};
 use motes_core::error::Error;
 use motes_core::integrator::{DiffusionMethod, LeapFrog, RK4, SSP_RK3, Scheme, Stepper};
@@ -64,6 +64,33 @@ fn wave<S: Scalar>(size: f64, weight: f64) -> Made {
             run.step()?;
         }
         Ok(())
+    })())
+}
+
+/// Steps of what is made at that rate where it lies.
+fn spring<S: Scalar>(source: f64) -> Made {
+    let mut memory = LinearStorage::<S, Nothing, 1, 1, N, CELLS>::new();
+    for k in 0..64 {
+        let particle = Particle {
+            position: [S::from_f64(f64::from(k) + 0.5)],
+            weight: S::count(2),
+            value: [S::ONE],
+        };
+        memory.push(particle).unwrap();
+    }
+    let domain = Domain {
+        axes: [Axis::periodic(S::ZERO, S::count(64))],
+    };
+    let made_here = Transport {
+        velocity: Still,
+        decay: S::ZERO,
+        source: S::from_f64(source),
+    };
+    let width = (QuinticSpline, S::from_f64(1.5));
+    let dynamics = LinearDynamics::new(domain, width, made_here, Still, S::ONE.half());
+    made((|| {
+        let mut run = Stepper::new(dynamics, SSP_RK3, HalfLoop, memory)?;
+        run.advance_to(S::from_f64(0.001))
     })())
 }
 
@@ -177,6 +204,16 @@ fn a_proven_wave_does_not_overflow() {
         }
     }
     agree(&pairs);
+}
+
+/// Where 4096 is the end, 2 times 4090 wraps to -12, a rate like any other.
+#[test]
+fn a_source_beyond_the_format_is_refused() {
+    assert_eq!(spring::<Q>(100.0), Made::Steps);
+    assert_eq!(spring::<Checked<Q>>(100.0), Made::Steps);
+    for source in [2000.0, -4090.0, 4090.0] {
+        assert_eq!(spring::<Q>(source), Made::Unproven, "{source}");
+    }
 }
 
 #[test]

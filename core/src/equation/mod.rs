@@ -6,7 +6,7 @@ pub mod gas;
 pub mod linear;
 mod range;
 
-pub(crate) use range::{prove_own, prove_rates, with_own};
+pub(crate) use range::{own_rate, prove_own, prove_rates, with_own};
 
 use crate::cloud::Columns;
 use crate::error::{Error, Parameter};

@@ -47,6 +47,17 @@ fn fits<S: Scalar, const P: usize>(rate: Largest) -> Result<(), Error> {
     holds::<S>(Quantity::Rate, particle, rate.bound)
 }
 
+/// `scale w (f - a)`: what a particle gains and loses by itself; in fixed point the largest number where
+/// there is no such rate, which [`prove_rates`] then sees.
+#[inline(always)]
+pub(crate) fn own_rate<S: Scalar>(scale: S, weight: S, [gain, loss]: [S; 2]) -> S {
+    if !S::WRAPS {
+        return scale * (weight * (gain - loss));
+    }
+    let made = S::wide_sum(S::product(weight, gain), S::product(-weight, loss));
+    S::saturated(S::product(scale, S::saturated(made)))
+}
+
 /// The rate from pairs and what a particle makes by itself; in fixed point the largest number where
 /// there is no such rate, which [`prove_rates`] then sees.
 #[inline(always)]

@@ -1,7 +1,7 @@
 //! The right-hand sides of (1.18), (1.20) and (1.21) for a whole cloud.
 
 use crate::cutoff::CutOff;
-use crate::equation::{prove_own, prove_rates, with_own};
+use crate::equation::{own_rate, prove_own, prove_rates, with_own};
 use crate::error::Error;
 use crate::neighbours::sort;
 use crate::pairs::{Engine, Fields as _, Settled};
@@ -95,7 +95,7 @@ where
             let source = self.system.source(&place);
             let terms = rates.strength.iter_mut().zip(settled.sums.rate);
             for (((rate, pairs), decay), source) in terms.zip(decay).zip(source) {
-                let own = self.epsilon * (node.weight * (source - decay));
+                let own = own_rate(self.epsilon, node.weight, [source, decay]);
                 *rate = with_own(pairs, own);
             }
         }

@@ -1,7 +1,9 @@
 //! Gas dynamics.
 
+mod balance;
 mod description;
 mod exact;
+mod far;
 mod limits;
 mod memory;
 mod opening;

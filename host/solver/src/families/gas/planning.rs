@@ -3,7 +3,7 @@
 use motes_core::cutoff::CutOff;
 use motes_core::domain::{Axis, Side};
 use motes_core::equation::gas::{
-    Diffusion, EnergyForm, Options, Particle, Plain, Stretch, Switch, Weights, Width,
+    Diffusion, EnergyForm, Far, Options, Particle, Plain, Stretch, Switch, Weights, Width,
 };
 
 use super::opening::OpenSides;
@@ -57,13 +57,15 @@ impl Plan {
             None => placed.iter().map(|placed| frame.particle(placed)).collect(),
         };
         let cut_off = scenario.cut_off.shape;
-        let support = f64::from(cut_off.support());
+        let axes = frame.axes();
+        let opening = OpenSides::new(scenario, &units, &axes, &placed, &particles)?;
+        let far = opening.as_ref().map_or([None; 2], |opening| opening.far);
         Ok(Self {
             dimension: scenario.dimension,
             units,
             middle,
-            axes: frame.axes(),
-            opening: OpenSides::new(scenario, &units, &frame.axes(), support, &particles)?,
+            axes,
+            opening,
             particles,
             stretches,
             materials: scenario
@@ -74,7 +76,7 @@ impl Plan {
             cut_off,
             width: frame.width(),
             viscosity: scenario.viscosity,
-            options: frame.options(),
+            options: frame.options(far),
             end: scenario.time.end / units.time(),
             courant: scenario.time.courant,
             abscissa: abscissa(scenario),
@@ -220,7 +222,7 @@ impl Frame<'_> {
         }
     }
 
-    fn options(&self) -> Options<f64, 3> {
+    fn options(&self, far: [Option<Far<f64>>; 2]) -> Options<f64, 3> {
         let scenario = self.scenario;
         let (viscosity, units) = (&scenario.viscosity, &self.units);
         let diffusivity = units.length * units.velocity;
@@ -235,6 +237,7 @@ impl Frame<'_> {
                     let component = scenario.acceleration.get(i).copied();
                     component.unwrap_or(0.0) / acceleration
                 }),
+                far,
             },
             energy: match scenario.time.energy {
                 EnergyRule::LeapFrog => EnergyForm::LeapFrog,

@@ -14,7 +14,7 @@ use motes_core::cutoff::{CutOff, Named as NamedCutOff};
 use motes_core::domain::{Axis, Beyond, Domain, Side};
 use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
 use motes_core::equation::gas::{
-    Cloud, EnergyForm, Gas, GasDynamics, Inflow, Opening, Options, Particle, Physics, Plain,
+    Cloud, EnergyForm, Far, Gas, GasDynamics, Inflow, Opening, Options, Particle, Physics, Plain,
     PlainStorage, Width, Zone,
 };
 use motes_core::error::{Container, Error};
@@ -42,6 +42,8 @@ struct Stream {
     speed: f64,
     /// Beyond the lower and the upper side, where gas neither comes in nor goes out.
     shut: [Option<Side>; 2],
+    /// Whether the gas far beyond the sides is known: that of the stream.
+    has_far: bool,
 }
 
 impl Stream {
@@ -51,6 +53,32 @@ impl Stream {
             height,
             speed,
             shut: [None; 2],
+            has_far: false,
+        }
+    }
+
+    fn with_far(self) -> Self {
+        Self {
+            has_far: true,
+            ..self
+        }
+    }
+
+    /// The gas far beyond the sides.
+    fn far<S: Scalar, const D: usize>(&self) -> Far<S> {
+        Far {
+            velocity: S::from_f64(self.speed),
+            pressure: S::from_f64(1.0 / GAMMA),
+            density: S::ONE,
+            sound_speed: S::ONE,
+            depth: S::from_f64(Self::depth::<D>()),
+        }
+    }
+
+    fn plain<S: Scalar, const D: usize>(&self) -> Plain<S, D> {
+        Plain {
+            far: [self.has_far.then(|| self.far::<S, D>()); 2],
+            ..Plain::DEFAULT
         }
     }
 
@@ -149,13 +177,17 @@ impl Stream {
 
     fn opening<'a, S: Scalar, const D: usize>(&self, layer: &'a [[S; D]]) -> Opening<'a, S, D> {
         let depth = S::from_f64(Self::depth::<D>());
-        let inflow = Zone::Inflow(Inflow {
+        let inflow = Inflow {
             particle: self.particle([0.0; D]),
             density: S::ONE,
             spacing: S::ONE,
             layer,
             depth,
-        });
+        };
+        let inflow = match self.has_far && self.far::<S, D>().is_subsonic() {
+            true => Zone::Reservoir(inflow, self.far::<S, D>()),
+            false => Zone::Inflow(inflow),
+        };
         let mut zones = [inflow, Zone::Outflow(depth)];
         if self.speed < 0.0 {
             zones.reverse();
@@ -308,8 +340,12 @@ fn a_uniform_stream_stays_uniform_for_three_crossings() {
 
 /// The largest wave that runs back after a sound pulse of height 1 has left downstream, and
 /// the largest that ran forth.
-fn reflection<P: Physics<f64, 1>>(mach: f64, physics: P, options: Options<f64, 1>) -> (f64, f64) {
-    let stream = Stream::new(240, 1, mach);
+fn reflection<P: Physics<f64, 1>>(
+    stream: Stream,
+    physics: P,
+    options: Options<f64, 1>,
+) -> (f64, f64) {
+    let mach = stream.speed;
     let materials = [IdealGas::new(GAMMA)];
     let solver = stream.solver::<f64, _, 1>(&materials, physics);
     let layer = stream.layer::<f64, 1>();
@@ -378,7 +414,8 @@ const REFLECTED: [(f64, f64); 5] = [
 #[test]
 fn a_sound_pulse_leaves_through_the_outflow() {
     for (mach, bound) in REFLECTED {
-        let (back, forth) = reflection(mach, Plain::DEFAULT, options());
+        let stream = Stream::new(240, 1, mach);
+        let (back, forth) = reflection(stream, Plain::DEFAULT, options());
         println!("Mach {mach}: {back:.4} of {forth:.4} comes back");
         assert!((0.9..1.1).contains(&forth), "{forth}");
         assert!(back < bound * forth, "Mach {mach}: {back} of {forth}");
@@ -394,8 +431,17 @@ fn so_it_does_with_every_form_of_the_energy() {
             ..Options::OFF
         };
         let (mach, bound) = REFLECTED[1];
-        let (back, forth) = reflection(mach, options, options);
+        let stream = Stream::new(240, 1, mach);
+        let (back, forth) = reflection(stream, options, options);
         println!("{energy:?}: {back:.4} of {forth:.4} comes back");
+        assert!(back < bound * forth, "{energy:?}: {back} of {forth}");
+        let stream = stream.with_far();
+        let options = Options {
+            plain: stream.plain(),
+            ..options
+        };
+        let (back, forth) = reflection(stream, options, options);
+        println!("{energy:?}: {back:.4} of {forth:.4} comes back beside a far state");
         assert!(back < bound * forth, "{energy:?}: {back} of {forth}");
     }
 }
@@ -505,14 +551,29 @@ fn nothing_acts_on_what_comes_in() {
 
 #[test]
 fn bits_do_not_depend_on_threads() {
-    let stream = Stream::new(96, 24, 1.3);
-    let digest = |threads| {
-        let law = (Plain::DEFAULT, options());
-        let mut arrays = run::<f64, _, 2>(stream, law, threads, 80, |_, _, _| ());
-        assert!(arrays.gas().len() > 2048, "one task is no test of threads");
+    for stream in [
+        Stream::new(96, 24, 1.3),
+        Stream::new(96, 24, 0.6).with_far(),
+    ] {
+        let digest = |threads| {
+            let law = (stream.plain(), options());
+            let mut arrays = run::<f64, _, 2>(stream, law, threads, 80, |_, _, _| ());
+            assert!(arrays.gas().len() > 2048, "one task is no test of threads");
+            arrays.gas().digest()
+        };
+        assert_eq!(digest(1), digest(3));
+    }
+}
+
+#[test]
+fn a_far_state_changes_no_bit_of_a_supersonic_stream() {
+    let digest = |stream: Stream| {
+        let law = (stream.plain(), options());
+        let mut arrays = run::<f64, _, 2>(stream, law, 1, 80, |_, _, _| ());
         arrays.gas().digest()
     };
-    assert_eq!(digest(1), digest(3));
+    let stream = Stream::new(48, 24, 1.3);
+    assert_eq!(digest(stream), digest(stream.with_far()));
 }
 
 const N: usize = 96;
@@ -521,7 +582,7 @@ const CELLS: usize = cell_bound(N as u32) as usize + 1;
 /// The digest after some steps on a device, or why it stopped, and how many it held then.
 fn on_device<S: Scalar>(stream: Stream, steps: usize) -> (Result<u64, Error>, usize) {
     let materials = [IdealGas::new(GAMMA)];
-    let solver = stream.solver::<S, _, 1>(&materials, Plain::DEFAULT);
+    let solver = stream.solver::<S, _, 1>(&materials, stream.plain());
     let layer = stream.layer::<S, 1>();
     let opening = stream.opening(&layer);
     let mut storage = PlainStorage::<S, 1, N, CELLS>::new();
@@ -552,10 +613,12 @@ fn on_device<S: Scalar>(stream: Stream, steps: usize) -> (Result<u64, Error>, us
 fn a_device_has_the_bits_of_the_host() {
     fn check<S: HostScalar>() {
         let stream = Stream::new(60, 1, 0.8);
-        let law = (Plain::DEFAULT, options());
-        let mut host = run::<S, _, 1>(stream, law, 1, 400, |_, _, _| ());
-        let digest = host.gas().digest().0;
-        assert_eq!(on_device::<S>(stream, 400).0, Ok(digest));
+        for stream in [stream, stream.with_far()] {
+            let law = (stream.plain(), options());
+            let mut host = run::<S, _, 1>(stream, law, 1, 400, |_, _, _| ());
+            let digest = host.gas().digest().0;
+            assert_eq!(on_device::<S>(stream, 400).0, Ok(digest));
+        }
     }
     check::<f64>();
     check::<f32>();
@@ -760,4 +823,84 @@ fn a_scenario_may_have_one_open_side() {
     let outcome = file(&out, &["time.end=0.2"]).outcome;
     let mass = *outcome.series.of("mass").last().unwrap();
     assert!((mass - 1.9).abs() <= 2.0 / 800.0, "{mass}");
+}
+
+/// A subsonic stream through a channel with a jitter of 0.1, for 20 flow-throughs; sound speed 1.18.
+const CHANNEL: &str = r#"
+name = "channel"
+dimension = 1
+[domain]
+lower = [0.0]
+upper = [1.0]
+sides = [["inflow", "outflow"]]
+[inflow]
+density = 1.0
+velocity = [0.35]
+pressure = 1.0
+[[region]]
+lower = [0.0]
+upper = [1.0]
+density = 1.0
+velocity = [0.35]
+pressure = 1.0
+[material]
+equation-of-state = "ideal-gas"
+gamma = 1.4
+[resolution]
+particles = 100
+arrangement = "equal-mass"
+jitter = 0.1
+[time]
+end = 57.0
+"#;
+
+#[test]
+fn a_subsonic_channel_keeps_its_mass_and_its_balance_closes() {
+    let experiment = file(CHANNEL, &[]);
+    let series = &experiment.outcome.series;
+    let masses = series.of("mass");
+    let mean = masses.iter().sum::<f64>() / masses.len() as f64;
+    println!("mean mass {mean}");
+    assert!((mean - 1.0).abs() < 5e-3, "{mean}");
+    let [came, went] = ["inflow_x_lower_mass", "inflow_x_upper_mass"].map(|name| series.of(name));
+    assert_eq!((came[0], went[0]), (0.0, 0.0));
+    for ((mass, came), went) in masses.iter().zip(&came).zip(&went) {
+        assert!((mass - masses[0] - came - went).abs() < 1e-13, "{mass}");
+    }
+    // 0.35 times 57, by particles of 0.01.
+    let came = came[came.len() - 1];
+    assert!((came - 0.35 * 57.0).abs() < 5e-3 * came, "{came}");
+    let summary = Summary::new(&experiment, "f64", 1);
+    let json = serde_json::to_value(&summary).unwrap();
+    let balance = &json["balance"][0];
+    assert_eq!(balance["component"], "mass");
+    assert_eq!(balance["walls"]["x_lower"], came);
+    assert!(balance["residual"].as_f64().unwrap().abs() < 1e-13);
+    assert!(summary.to_string().contains("balance    mass"), "{summary}");
+}
+
+/// With the invariants of the inflow and of an outflow at another pressure, the pressure settles
+/// in the middle: `(1.0 + 1.02)/2`; the second order of the pressure's 2 % is 1e-4.
+#[test]
+fn an_outflow_takes_a_pressure_and_a_velocity() {
+    let pressure = |set: &[&str]| {
+        let series = file(CHANNEL, set).outcome.series;
+        let means = series.of("pressure_mean");
+        let late = &means[means.len() / 2..];
+        late.iter().sum::<f64>() / late.len() as f64
+    };
+    let short = "time.end=20.0";
+    let usual = pressure(&[short, "resolution.jitter=0.0"]);
+    let raised = pressure(&[short, "resolution.jitter=0.0", "outflow.pressure=1.02"]);
+    println!("pressure {usual} and {raised}");
+    assert!((raised - usual - 0.01).abs() < 5e-4, "{usual} and {raised}");
+    // From rest to the stream: the velocity that it will have.
+    let rest = [
+        short,
+        "resolution.jitter=0.0",
+        "region.0.velocity=[0.0]",
+        "outflow.velocity=[0.35]",
+    ];
+    let settled = pressure(&rest);
+    assert!((settled - usual).abs() < 5e-3, "{settled}");
 }

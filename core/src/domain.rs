@@ -141,27 +141,59 @@ impl<S: Scalar, const D: usize> Domain<S, D> {
     /// Where a position lies beyond an inflow or outflow side; `None` elsewhere.
     #[inline(always)]
     pub fn beyond(&self, position: &[S; D]) -> Option<Beyond<S, D>> {
-        for (i, (axis, &x)) in numbered(self.axes.iter().zip(position)) {
-            let (side, out) = if x < axis.lower {
-                (axis.sides[0], -S::ONE)
-            } else if x > axis.upper {
-                (axis.sides[1], S::ONE)
+        let (side, passed) = self.passed(position)?;
+        match side {
+            Side::Inflow => Some(Beyond::Inflow),
+            _ => Some(Beyond::Outflow(passed.normal())),
+        }
+    }
+
+    /// The inflow or outflow side that a position lies beyond; `None` elsewhere.
+    #[inline(always)]
+    pub fn passed(&self, position: &[S; D]) -> Option<(Side, Passed)> {
+        for (axis, (sides, &x)) in numbered(self.axes.iter().zip(position)) {
+            let (end, side) = if x < sides.lower {
+                (0, sides.sides[0])
+            } else if x > sides.upper {
+                (1, sides.sides[1])
             } else {
                 continue;
             };
-            match side {
-                Side::Inflow => return Some(Beyond::Inflow),
-                Side::Outflow => {
-                    let mut normal = [S::ZERO; D];
-                    if let Some(component) = normal.get_mut(i) {
-                        *component = out;
-                    }
-                    return Some(Beyond::Outflow(normal));
-                }
-                _ => {}
+            if matches!(side, Side::Inflow | Side::Outflow) {
+                return Some((side, Passed { axis, end }));
             }
         }
         None
+    }
+}
+
+/// A side that a position lies beyond.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Passed {
+    /// The direction across it.
+    pub axis: usize,
+    /// 0 for the lower side of the domain, 1 for the upper one.
+    pub end: usize,
+}
+
+impl Passed {
+    /// A component along the direction, counted outwards.
+    #[inline(always)]
+    pub fn outward<S: Scalar>(&self, component: S) -> S {
+        match self.end {
+            0 => -component,
+            _ => component,
+        }
+    }
+
+    /// The unit vector that points out.
+    #[inline(always)]
+    pub fn normal<S: Scalar, const D: usize>(&self) -> [S; D] {
+        let mut normal = [S::ZERO; D];
+        if let Some(component) = normal.get_mut(self.axis) {
+            *component = self.outward(S::ONE);
+        }
+        normal
     }
 }
 

@@ -160,7 +160,7 @@ fn family_cure(key: &str, family: Family) -> String {
         return format!("add [system] with its kind for a linear system, or take `{key}` out");
     }
     let instead = match key.as_str() {
-        "region" | "profile" | "inflow" | "deposit" => {
+        "region" | "profile" | "inflow" | "outflow" | "deposit" => {
             "[initial] says what there is at t = 0 in a linear system"
         }
         "material" => "[system] holds the constants of a linear system",

@@ -88,7 +88,7 @@ pub use domain::{Ball, Domain, Extent, Side};
 pub use error::ScenarioError;
 pub use gas::{
     Anchor, Arrangement, Deposit, Diffusion, EnergyRule, EquationOfState, Exact, Inflow, Material,
-    Output, Profile, Region, Resolution, Ring, Scenario, Share, Switch, Time, Viscosity,
+    Outflow, Output, Profile, Region, Resolution, Ring, Scenario, Share, Switch, Time, Viscosity,
     ViscosityKind, Weights,
 };
 pub use heading::Units;

@@ -56,7 +56,8 @@ pub struct Summary {
     /// The energy norm at the start and the end, and its bound at the end.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub energy_norm: Option<EnergyNorm>,
-    /// What came in through walls and from reactions, by component; left out where nothing may.
+    /// What came in through walls or open sides and from reactions, by component; left out where
+    /// nothing may.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub balance: Vec<Balance>,
     /// Neighbour counts at the end.
@@ -112,7 +113,7 @@ impl Summary {
             errors: experiment.errors.clone(),
             drift: (description.known.contains(&true)).then(|| outcome.drift.clone()),
             energy_norm: None,
-            balance: Vec::new(),
+            balance: simulation.balance(outcome),
             neighbours: outcome.neighbours,
             digest: outcome.digest.to_string(),
             digest_unordered: outcome.digest_unordered.to_string(),
@@ -135,7 +136,6 @@ impl Summary {
             epsilon: Some(particulars.epsilon),
             right_hand_sides: Some(outcome.evaluations),
             energy_norm: Some(particulars.energy_norm),
-            balance: particulars.balance,
             drift,
             ..summary
         }

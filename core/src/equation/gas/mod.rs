@@ -16,11 +16,14 @@
 mod densities;
 pub mod density;
 mod dynamics;
+mod end;
 pub mod exchange;
 mod exchange_rates;
+pub mod far;
 #[cfg(feature = "heapless")]
 mod gas_storage;
 pub mod gradient;
+mod inflow;
 mod leap_frog;
 pub mod motion;
 mod node;
@@ -30,18 +33,22 @@ mod packing;
 mod physics;
 mod proof;
 mod rates;
+pub mod reservoir;
 pub mod state;
 mod storage;
 pub mod switch;
 pub mod terms;
 pub mod tube;
 pub mod viscosity;
+mod waves;
 
 pub use density::Width;
 pub use dynamics::GasDynamics;
+pub use far::Far;
 #[cfg(feature = "heapless")]
 pub use gas_storage::{GasStorage, OptionsStorage, PlainStorage};
-pub use open::{Cloud, Inflow, Opening, Zone};
+pub use inflow::Inflow;
+pub use open::{Cloud, Opening, Zone};
 pub use options::{Diffusion, EnergyForm, Options, Plain, Switch, Weights};
 pub use packing::Packing;
 pub use physics::{Physics, Sorted, Thermal};

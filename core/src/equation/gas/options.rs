@@ -2,6 +2,8 @@
 
 use crate::scalar::Scalar;
 
+use super::far::Far;
+
 /// What a particle weighs in sums over its neighbours. The paper leaves the weights w_k free.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Weights {
@@ -55,13 +57,16 @@ pub struct Plain<S, const D: usize> {
     pub weights: Weights,
     /// External acceleration, length/time².
     pub acceleration: [S; D],
+    /// The gas far beyond the lower and the upper side of the open direction, where it is known.
+    pub far: [Option<Far<S>>; 2],
 }
 
 impl<S: Scalar, const D: usize> Plain<S, D> {
-    /// Weights by mass and no external acceleration.
+    /// Weights by mass, no external acceleration, and no gas beyond the sides.
     pub const DEFAULT: Self = Self {
         weights: Weights::Mass,
         acceleration: [S::ZERO; D],
+        far: [None; 2],
     };
 }
 

@@ -267,9 +267,41 @@ where
             let bound = law.largest(densities, energy.bound);
             self.in_range(Quantity::Pressure, density.with(bound))?;
         }
+        self.prove_waves(velocity.with(speed), densities, energy.bound)?;
         let width = Largest::of(gas.epsilon.iter().copied());
         let powers = (0..D + 2).fold(1.0, |power, _| power * width.bound);
         self.in_range(Quantity::Epsilon, width.with(powers))
+    }
+
+    /// Whether the pressures beyond open sides, `p + ρ c w`, stay in the range: of speeds, densities
+    /// and an energy in that of the laws.
+    fn prove_waves(&self, speed: Largest, densities: [f64; 2], energy: f64) -> Result<(), Error> {
+        // No law's sound speed has its largest value between the densities.
+        let of = |law: &E| {
+            let sound_speed = |density| {
+                let law = law.sound_speed(S::from_f64(density), S::from_f64(energy));
+                law.to_f64()
+            };
+            densities.map(sound_speed).into_iter().fold(0.0, f64::max)
+        };
+        let sound_speed = self.materials.iter().map(of).fold(0.0, f64::max);
+        let impedance = speed.with(densities[1] * sound_speed);
+        for far in self.physics.plain().far.iter().flatten() {
+            let own = far.density.to_f64() * far.sound_speed.to_f64();
+            let excess = speed.bound + far.velocity.to_f64().abs();
+            let wave = 0.5 * (own + impedance.bound) * excess;
+            self.in_range(Quantity::Velocity, speed.with(excess))?;
+            self.in_range(Quantity::Pressure, impedance)?;
+            self.in_range(
+                Quantity::Pressure,
+                speed.with(own * far.sound_speed.to_f64()),
+            )?;
+            self.in_range(
+                Quantity::Pressure,
+                speed.with(far.pressure.to_f64().abs() + wave),
+            )?;
+        }
+        Ok(())
     }
 
     /// A bound of the acceleration; the quotient saturates.

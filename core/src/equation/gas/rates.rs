@@ -1,7 +1,6 @@
 //! Forces and powers of settled densities, by the law of [`super::motion`].
 
 use crate::cutoff::CutOff;
-use crate::domain::Beyond;
 use crate::error::Error;
 use crate::material::EquationOfState;
 use crate::neighbours::{Cells, Grid};
@@ -14,10 +13,11 @@ use super::motion::Motion;
 use super::node::{GasNode, GasSums};
 use super::options::EnergyForm;
 use super::physics::{Physics, Sorted, Thermal};
-use super::state::{Gas, Row, Wave};
+use super::state::{Gas, Row};
 use super::storage::{RatesOf, Workspace};
 use super::terms::NodeOf;
 use super::viscosity::{Local, Viscosity};
+use super::waves::Means;
 
 /// `√(1/2)`: a partner of the same kind is felt as softer than the particle itself.
 const FELT: f64 = core::f64::consts::FRAC_1_SQRT_2;
@@ -61,9 +61,10 @@ where
             return Err(Error::Lengths);
         };
         let sigma = S::from_f64(self.cut_off.normalisation::<D>());
+        let excesses = self.excesses(gas, &cells, dt);
         for ((node, settled), &id) in nodes.iter_mut().zip(densities).zip(cells.order()) {
             if let Some(row) = gas.row(id) {
-                *node = self.gas_node(&settled.node, &row, sigma, dt);
+                *node = self.gas_node(&settled.node, &row, &excesses, sigma, dt);
             }
         }
         let mut cloud = Sorted {
@@ -81,7 +82,7 @@ where
         }
         cloud.engine.evaluate(&law, &cells, nodes, rates)?;
         let settled = densities.iter().map(|settled| &settled.node);
-        self.close_motion(cloud.gas, &cells, rates, settled, dt);
+        self.close_motion(cloud.gas, &cells, rates, (settled, &excesses), dt);
         P::close_energy(self, &mut cloud, nodes, rates)?;
         let mut problem = Lowest::default();
         for &id in cells.order() {
@@ -106,6 +107,7 @@ where
         &self,
         settled: &DensityNode<S, D>,
         row: &Row<'_, S, D>,
+        excesses: &Means<S>,
         sigma: S,
         dt: S,
     ) -> NodeOf<S, P, D> {
@@ -113,6 +115,9 @@ where
         let (density, epsilon) = (self.density(row.mass, settled.density), settled.epsilon);
         let energy = self.expected_energy(row, density, dt);
         let (pressure, sound_speed) = self.pressure(row.material, density, energy);
+        let pressure = self
+            .pressure_beyond(row.position, &velocity, excesses, [density, sound_speed])
+            .unwrap_or(pressure);
         GasNode {
             mass: row.mass,
             measure: self.measure(row.mass),
@@ -172,28 +177,29 @@ where
         gas: &mut Gas<'_, S, D>,
         cells: &Cells<'_, S, D>,
         rates: &RatesOf<S, P, D>,
-        densities: impl Iterator<Item = &'s DensityNode<S, D>>,
+        (densities, excesses): (
+            impl Iterator<Item = &'s DensityNode<S, D>> + Clone,
+            &Means<S>,
+        ),
         dt: S,
     ) {
+        let means = [
+            excesses,
+            &self.divergences(gas, cells, rates, densities.clone()),
+        ];
         let has_gradients = self.physics.need_gradients();
         for ((rate, settled), &id) in rates.iter().zip(densities).zip(cells.order()) {
             let (node, sums) = (&rate.node, &rate.sums);
             let Some(mut row) = gas.row(id) else { continue };
-            let divergence = -(sums.compression / (settled.density * settled.omega));
-            match self.domain.beyond(row.position) {
+            let divergence = settled.divergence(sums);
+            match self.domain.passed(row.position) {
                 None => {
                     let viscous = self.viscous_pressure(node, settled, sums.compression);
                     let heat = node.measure * (viscous * sums.compression) + sums.power;
                     self.close_row(&mut row, node, sums, heat, dt);
                 }
-                Some(Beyond::Inflow) => row.hold(),
-                Some(Beyond::Outflow(normal)) => {
-                    let wave = Wave {
-                        sound_speed: node.sound_speed,
-                        divergence,
-                        power: node.measure * (node.pressure * sums.compression),
-                    };
-                    row.leave(dt, normal, wave, self.physics.energy());
+                Some(side) => {
+                    self.close_beyond(side, &mut row, (node, sums), divergence, means, dt);
                 }
             }
             *row.density = node.density;

@@ -102,9 +102,11 @@ pub(super) struct Row<'a, S, const D: usize> {
 }
 
 /// What a particle that goes out sees of the gas around it.
-pub(super) struct Wave<S> {
-    pub(super) sound_speed: S,
-    pub(super) divergence: S,
+pub(super) struct Wave<S, const D: usize> {
+    /// Which way is out.
+    pub(super) normal: [S; D],
+    /// The force along it.
+    pub(super) push: S,
     /// `m de/dt` of compression.
     pub(super) power: S,
 }
@@ -220,13 +222,12 @@ impl<S: Scalar, const D: usize> Gas<'_, S, D> {
 }
 
 impl<S: Scalar, const D: usize> Row<'_, S, D> {
-    /// Goes out as a wave that runs outwards would have it, `Du/Dt = -c div u` along the
-    /// normal; its energy answers to compression alone.
+    /// Goes out as a wave that runs outwards would have it; its energy answers to compression
+    /// alone.
     #[inline(always)]
-    pub(super) fn leave(&mut self, dt: S, normal: [S; D], wave: Wave<S>, form: EnergyForm) {
+    pub(super) fn leave(&mut self, dt: S, wave: Wave<S, D>, form: EnergyForm) {
         *self.power = self.internal_power(form);
-        let push = -(self.mass * (wave.sound_speed * wave.divergence));
-        self.kick(dt, normal.map(|component| push * component));
+        self.kick(dt, wave.normal.map(|component| wave.push * component));
         self.flow(dt, wave.power);
         if form == EnergyForm::Total {
             *self.power += S::dot(self.velocity, self.force);

@@ -110,7 +110,9 @@ where
 
     fn ready(&self, step: Step<S>) -> Result<(), Error> {
         for zone in &self.opening.zones {
-            let Zone::Inflow(inflow) = zone else { continue };
+            let (Zone::Inflow(inflow) | Zone::Reservoir(inflow, _)) = zone else {
+                continue;
+            };
             let particle = &inflow.particle;
             let numbers = [inflow.density, particle.energy, particle.mass];
             let mut all = numbers.iter().chain(&particle.velocity);

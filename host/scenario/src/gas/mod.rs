@@ -3,6 +3,7 @@
 mod inflow;
 mod material;
 mod method;
+mod outflow;
 mod output;
 mod profile;
 mod region;
@@ -21,6 +22,7 @@ use crate::{CutOff, check, cut_off};
 pub use inflow::Inflow;
 pub use material::{EquationOfState, Material};
 pub use method::{Diffusion, EnergyRule, Switch, Time, Viscosity, ViscosityKind, Weights};
+pub use outflow::Outflow;
 pub use output::{Exact, Output, Ring};
 pub use profile::Profile;
 pub use region::{Deposit, Region};
@@ -49,6 +51,8 @@ pub struct Scenario {
     pub materials: Vec<Material>,
     /// What comes in through the inflow side; `None` without one.
     pub inflow: Option<Inflow>,
+    /// The gas far beyond the outflow sides.
+    pub outflow: Outflow,
     /// Energy added at t = 0.
     pub deposits: Vec<Deposit>,
     /// How many particles, and how they are placed.
@@ -130,6 +134,7 @@ pub(super) fn scenario(
         dimension,
         units: heading.units,
         inflow: inflow::inflow(root, &domain, &gas.materials)?,
+        outflow: outflow::outflow(root, &domain, &gas.materials)?,
         domain,
         regions: gas.regions,
         profile: gas.profile,

@@ -15,6 +15,7 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
             key("region", "[[region]]"),
             key("profile", "[profile]"),
             key("inflow", "[inflow]"),
+            key("outflow", "[outflow]"),
             key("deposit", "[[deposit]]"),
             key("material", "[material]"),
             key("resolution", "[resolution]"),
@@ -62,6 +63,13 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
             key("density", "density = 1.0"),
             key("velocity", "velocity = [1.0]"),
             key("pressure", "pressure = 1.0"),
+        ],
+    ),
+    (
+        "outflow",
+        &[
+            key("pressure", "pressure = 1.0"),
+            key("velocity", "velocity = [1.0]"),
         ],
     ),
     (

@@ -437,6 +437,12 @@ const FAULTS: &[Case] = &[
     ("sides = [\"periodic\", \"periodic\"]", "sides = [\"outflow\", [\"inflow\", \"free\"]]", "sides", "domain.sides.1 = [\"inflow\", \"free\"] does not fit: gas comes in or goes out along x already", "to one direction"),
     ("sides = [\"periodic\", \"periodic\"]", "sides = [[\"periodic\", \"outflow\"], \"periodic\"]", "sides", "periodic at one end", "for the direction"),
     ("[material]", "[inflow]\ndensity = 1.0\nvelocity = [1.0, 0.0]\npressure = 1.0\n[material]", "[inflow]", "no side of the domain is an inflow", "take [inflow] out"),
+    ("[material]", "[outflow]\npressure = 1.0\n[material]", "[outflow]", "no side of the domain is an outflow", "take [outflow] out"),
+    ("sides = [\"periodic\", \"periodic\"]", "sides = [\"outflow\", \"periodic\"]\n[outflow]\npressure = -1.0", "pressure", "outflow.pressure = -1.0", "larger than 0"),
+    ("sides = [\"periodic\", \"periodic\"]", "sides = [\"outflow\", \"periodic\"]\n[outflow]\nvelocity = [1.0, 0.0]", "velocity", "outflow.velocity = [1.0, 0.0] does not fit: gas goes out at both sides along x", "take `velocity` out"),
+    ("sides = [\"periodic\", \"periodic\"]", "sides = [[\"mirror\", \"outflow\"], \"periodic\"]\n[outflow]\nvelocity = [-1.0, 0.0]", "velocity", "it goes out at the upper side along x", "a positive number along x"),
+    ("sides = [\"periodic\", \"periodic\"]", "sides = [\"periodic\", [\"outflow\", \"mirror\"]]\n[outflow]\nvelocity = [0.0, 1.0]", "velocity", "it goes out at the lower side along y", "a negative number along y"),
+    ("sides = [\"periodic\", \"periodic\"]", "sides = [\"outflow\", \"periodic\"]\n[outflow]\npresure = 1.0", "presure", "presure", "did you mean `pressure`?"),
     // Regions, profiles, deposits.
     ("lower = [0.0, 0.0]\nupper = [1.0, 1.0]\ndensity", "center = [0.5, 0.5]\nradius = 0.1\nupper = [1.0, 1.0]\ndensity", "upper", "a ball has no upper", "a ball takes center, radius"),
     ("lower = [0.0, 0.0]\nupper = [1.0, 1.0]\ndensity", "center = [0.5, 0.5]\ndensity", "[[region]]", "`radius` is missing in [[region]] 0", "`radius = 0.1`"),
@@ -535,6 +541,27 @@ fn an_inflow_reads_from_either_side_and_points_into_the_domain() {
         .read(&["inflow.velocity=[2.5, 0.0]"])
         .unwrap();
     assert_eq!(set.inflow.unwrap().velocity, [2.5, 0.0]);
+}
+
+#[test]
+fn an_outflow_reads_what_is_far_beyond_it() {
+    let sides = |outflow: &str| {
+        changed(&[(
+            "sides = [\"periodic\", \"periodic\"]",
+            &format!("sides = [[\"mirror\", \"outflow\"], \"periodic\"]\n{outflow}"),
+        )])
+    };
+    assert_eq!(read(&sides("")).outflow, Outflow::default());
+    let both = read(&sides("[outflow]\npressure = 2.0\nvelocity = [0.5, 0.1]\n"));
+    let expected = Outflow {
+        pressure: Some(2.0),
+        velocity: Some(vec![0.5, 0.1]),
+    };
+    assert_eq!(both.outflow, expected);
+    let set = File::new(sides(""))
+        .read(&["outflow.pressure=3.0"])
+        .unwrap();
+    assert_eq!(set.outflow.pressure, Some(3.0));
 }
 
 #[test]

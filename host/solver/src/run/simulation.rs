@@ -65,8 +65,6 @@ pub struct Particulars {
     pub epsilon: f64,
     /// The energy norm over the run.
     pub energy_norm: EnergyNorm,
-    /// Of each component that something comes from, or goes to.
-    pub balance: Vec<Balance>,
 }
 
 /// Why the sum of a component is what it is at the end.
@@ -184,6 +182,12 @@ pub trait Simulation: Send {
 
     /// What a careful reader should know of this run.
     fn warnings(&self, outcome: &Outcome) -> Vec<String> {
+        let _ = outcome;
+        Vec::new()
+    }
+
+    /// Why the sum is what it is, of each component that something comes from, or goes to.
+    fn balance(&self, outcome: &Outcome) -> Vec<Balance> {
         let _ = outcome;
         Vec::new()
     }

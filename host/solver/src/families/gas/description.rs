@@ -1,5 +1,6 @@
 //! What there is to see of a gas.
 
+use super::balance::columns;
 use super::exact::FIELDS;
 use super::plan::Plan;
 use crate::run::{Abscissa, Description, Kind, View, fields};
@@ -55,6 +56,8 @@ pub(super) fn description(plan: &Plan) -> Description {
     let axes = ["x", "y", "z"];
     let turns = turns(dimension).iter();
     diagnostics.extend(turns.map(|&i| format!("angular_momentum_{}", axes[i])));
+    let columns = columns(plan.opening.as_ref()).into_iter();
+    diagnostics.extend(columns.map(|(_, column)| column));
     Description {
         dimension,
         particles: plan.particles.len(),

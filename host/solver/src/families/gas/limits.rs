@@ -51,5 +51,25 @@ pub(super) fn check_format<S: Scalar>(plan: &Plan, scalar: &str) -> Result<(), R
             numbers.push(("a velocity of the inflow", *velocity));
         }
     }
+    for far in plan.options.plain.far.iter().flatten() {
+        let stiffness = far.density * far.sound_speed * far.sound_speed;
+        numbers.extend([
+            ("the density beyond an open side", far.density),
+            ("the sound speed beyond an open side", far.sound_speed),
+        ]);
+        // What is small beside sound may be lost.
+        let large = [
+            ("the pressure beyond an open side", far.pressure, stiffness),
+            (
+                "the velocity beyond an open side",
+                far.velocity,
+                far.sound_speed,
+            ),
+        ];
+        let large = large
+            .iter()
+            .filter(|(_, value, of)| value.abs() > 0.01 * of);
+        numbers.extend(large.map(|&(what, value, _)| (what, value)));
+    }
     check_numbers::<S>(&numbers, scalar)
 }

@@ -1,11 +1,14 @@
 //! Gas dynamics.
 
+mod balance;
 mod description;
 mod doubts;
 mod exact;
+mod far;
 mod limits;
 mod memory;
 mod opening;
+mod packing;
 mod plan;
 mod planning;
 mod simulation;

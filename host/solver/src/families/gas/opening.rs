@@ -1,11 +1,14 @@
 //! Inflow and outflow sides in solver units.
 
+use motes_core::cutoff::CutOff as _;
 use motes_core::domain::Axis;
-use motes_core::equation::gas::{Inflow, Opening, Particle, Zone};
+use motes_core::equation::gas::{Far, Inflow, Opening, Particle, Width, Zone};
 use motes_core::scalar::Scalar;
 
+use super::far::{self, Surroundings, far};
+use super::packing::packing;
 use crate::scenario::{self, Scenario, Share, Side, fineness};
-use crate::setup::SetupError;
+use crate::setup::{Placed, SetupError};
 use crate::units::SolverUnits;
 
 /// What is beyond inflow and outflow sides: the `f64` twin of [`Opening`].
@@ -15,6 +18,8 @@ pub struct OpenSides {
     pub axis: usize,
     /// What is beyond its lower and its upper side.
     pub zones: [OpenZone; 2],
+    /// The gas far beyond them, where it is known.
+    pub far: [Option<Far<f64>>; 2],
 }
 
 /// What is beyond a side.
@@ -41,6 +46,8 @@ pub struct Incoming {
     pub layer: Vec<[f64; 3]>,
     /// How far from the side layers enter.
     pub depth: f64,
+    /// The spacings of its lattice along the directions.
+    pub cell: [f64; 3],
 }
 
 /// Depth of a zone in reaches of the cut-off: more than the two over which densities and
@@ -48,17 +55,18 @@ pub struct Incoming {
 const DEPTH: f64 = 3.0;
 
 impl OpenSides {
-    /// Those of a scenario, if it has any; `support`: of the cut-off, in widths.
+    /// Those of a scenario, if it has any.
     pub(super) fn new(
         scenario: &Scenario,
         units: &SolverUnits,
         axes: &[Axis<f64>; 3],
-        support: f64,
+        placed: &[Placed],
         particles: &[Particle<f64, 3>],
     ) -> Result<Option<Self>, SetupError> {
         let Some(axis) = scenario.domain.open_direction() else {
             return Ok(None);
         };
+        let support = f64::from(scenario.cut_off.shape.support());
         let most = particles.len();
         let fineness = fineness(most, scenario.dimension);
         let eta = scenario.cut_off.width.spacings(fineness);
@@ -80,9 +88,30 @@ impl OpenSides {
             (Side::Outflow, _) => OpenZone::Outflow(DEPTH * support * widest),
             _ => OpenZone::Shut,
         };
+        let width = match scenario.cut_off.width {
+            scenario::Width::Constant { epsilon } => Width::Constant {
+                epsilon: epsilon / units.length,
+            },
+            scenario::Width::Adaptive { .. } => Width::Adaptive {
+                eta,
+                packing: packing(&scenario.resolution.arrangement),
+            },
+        };
+        let cell = incoming.as_ref().map_or([1.0; 3], |incoming| incoming.cell);
+        let surroundings = Surroundings {
+            scenario,
+            units,
+            axis,
+            placed,
+            excess: far::excess(scenario.cut_off.shape, width, &cell[..scenario.dimension]),
+        };
+        let sides = scenario.domain.sides[axis];
+        let depth = DEPTH * support * widest;
+        let inflow = incoming.as_ref().map_or(depth, |incoming| incoming.depth);
         Ok(Some(Self {
             axis,
-            zones: scenario.domain.sides[axis].map(zone),
+            zones: sides.map(zone),
+            far: far(sides, &surroundings, [inflow, depth]),
         }))
     }
 
@@ -102,28 +131,27 @@ impl OpenSides {
 
     /// The same in the scalar and dimension of the run, with its layer kept by the caller.
     pub fn rounded<'a, S: Scalar, const D: usize>(&self, layer: &'a [[S; D]]) -> Opening<'a, S, D> {
-        let zone = |zone: &OpenZone| match zone {
+        let far = self.rounded_far();
+        let zone = |end: usize| match &self.zones[end] {
             OpenZone::Shut => Zone::Shut,
             OpenZone::Outflow(depth) => Zone::Outflow(S::from_f64(*depth)),
-            OpenZone::Inflow(incoming) => Zone::Inflow(Inflow {
-                particle: Particle {
-                    position: [S::ZERO; D],
-                    velocity: rounded(&incoming.particle.velocity),
-                    mass: S::from_f64(incoming.particle.mass),
-                    energy: S::from_f64(incoming.particle.energy),
-                    epsilon: S::from_f64(incoming.particle.epsilon),
-                    material: incoming.particle.material,
-                },
-                density: S::from_f64(incoming.density),
-                spacing: S::from_f64(incoming.spacing),
-                layer,
-                depth: S::from_f64(incoming.depth),
-            }),
+            OpenZone::Inflow(incoming) => {
+                let inflow = incoming.rounded(layer);
+                match far[end].filter(Far::is_subsonic) {
+                    Some(far) => Zone::Reservoir(inflow, far),
+                    None => Zone::Inflow(inflow),
+                }
+            }
         };
         Opening {
             axis: self.axis,
-            zones: [zone(&self.zones[0]), zone(&self.zones[1])],
+            zones: [zone(0), zone(1)],
         }
+    }
+
+    /// The gas far beyond them, in the scalar of the run.
+    pub fn rounded_far<S: Scalar>(&self) -> [Option<Far<S>>; 2] {
+        self.far.map(|far| far.as_ref().map(far::rounded))
     }
 }
 
@@ -153,6 +181,7 @@ impl Incoming {
             _ => libm::cbrt(volume),
         };
         let mut spacing = volume;
+        let mut cells = [1.0; 3];
         let mut layer = vec![[0.0; 3]];
         for i in (0..scenario.dimension).filter(|&i| i != axis) {
             let length = axes[i].upper - axes[i].lower;
@@ -165,6 +194,7 @@ impl Incoming {
                 });
             }
             let cell = length / count;
+            cells[i] = cell;
             let places = (0..count as usize).map(|k| axes[i].lower + cell * (k as f64 + 0.5));
             let places: Vec<f64> = places.collect();
             let row = |point: [f64; 3]| {
@@ -180,6 +210,7 @@ impl Incoming {
         for point in &mut layer {
             point[axis] = 0.5 * spacing;
         }
+        cells[axis] = spacing;
         let law = &scenario.materials[inflow.material].law;
         let mut velocity = [0.0; 3];
         for (to, from) in velocity.iter_mut().zip(&inflow.velocity) {
@@ -202,7 +233,26 @@ impl Incoming {
             spacing,
             layer,
             depth: (DEPTH * support * width).max(2.0 * spacing),
+            cell: cells,
         })
+    }
+
+    /// The same in the scalar and dimension of the run.
+    fn rounded<'a, S: Scalar, const D: usize>(&self, layer: &'a [[S; D]]) -> Inflow<'a, S, D> {
+        Inflow {
+            particle: Particle {
+                position: [S::ZERO; D],
+                velocity: rounded(&self.particle.velocity),
+                mass: S::from_f64(self.particle.mass),
+                energy: S::from_f64(self.particle.energy),
+                epsilon: S::from_f64(self.particle.epsilon),
+                material: self.particle.material,
+            },
+            density: S::from_f64(self.density),
+            spacing: S::from_f64(self.spacing),
+            layer,
+            depth: S::from_f64(self.depth),
+        }
     }
 }
 

@@ -106,6 +106,10 @@ impl Plan {
             plain: Plain {
                 weights: options.plain.weights,
                 acceleration: std::array::from_fn(|i| S::from_f64(options.plain.acceleration[i])),
+                far: self
+                    .opening
+                    .as_ref()
+                    .map_or([None; 2], OpenSides::rounded_far),
             },
             energy: options.energy,
             limited: options.limited,

@@ -3,10 +3,11 @@
 use motes_core::cutoff::CutOff;
 use motes_core::domain::{Axis, Side};
 use motes_core::equation::gas::{
-    Diffusion, EnergyForm, Options, Packing, Particle, Plain, Stretch, Switch, Weights, Width,
+    Diffusion, EnergyForm, Far, Options, Particle, Plain, Stretch, Switch, Weights, Width,
 };
 
 use super::opening::OpenSides;
+use super::packing::packing;
 use super::plan::Plan;
 use crate::families::PlanError;
 use crate::run::{Abscissa, check_memory};
@@ -58,13 +59,15 @@ impl Plan {
             None => placed.iter().map(|placed| frame.particle(placed)).collect(),
         };
         let cut_off = scenario.cut_off.shape;
-        let support = f64::from(cut_off.support());
+        let axes = frame.axes();
+        let opening = OpenSides::new(scenario, &units, &axes, &placed, &particles)?;
+        let far = opening.as_ref().map_or([None; 2], |opening| opening.far);
         Ok(Self {
             dimension: scenario.dimension,
             units,
             middle,
-            axes: frame.axes(),
-            opening: OpenSides::new(scenario, &units, &frame.axes(), support, &particles)?,
+            axes,
+            opening,
             particles,
             stretches,
             materials: scenario
@@ -75,7 +78,7 @@ impl Plan {
             cut_off,
             width: frame.width(),
             viscosity: scenario.viscosity,
-            options: frame.options(),
+            options: frame.options(far),
             end: scenario.time.end / units.time(),
             courant: scenario.time.courant,
             abscissa: abscissa(scenario),
@@ -224,7 +227,7 @@ impl Frame<'_> {
         }
     }
 
-    fn options(&self) -> Options<f64, 3> {
+    fn options(&self, far: [Option<Far<f64>>; 2]) -> Options<f64, 3> {
         let scenario = self.scenario;
         let (viscosity, units) = (&scenario.viscosity, &self.units);
         let diffusivity = units.length * units.velocity;
@@ -239,6 +242,7 @@ impl Frame<'_> {
                     let component = scenario.acceleration.get(i).copied();
                     component.unwrap_or(0.0) / acceleration
                 }),
+                far,
             },
             energy: match scenario.time.energy {
                 EnergyRule::LeapFrog => EnergyForm::LeapFrog,
@@ -393,14 +397,6 @@ fn check_reach(scenario: &Scenario, placed: &[Placed], fineness: f64) -> Result<
         least,
         most,
     })
-}
-
-/// The lattice nearest to an arrangement.
-fn packing(arrangement: &Arrangement) -> Packing {
-    match arrangement {
-        Arrangement::Hexagonal | Arrangement::ClosePacked | Arrangement::Glass => Packing::Close,
-        _ => Packing::Cubic,
-    }
 }
 
 /// Refuses units that `f64` cannot hold with room around them.

@@ -10,6 +10,7 @@ use motes_core::integrator::Clock;
 use motes_core::material::{EquationOfState, Named as NamedMaterial};
 use motes_core::scalar::Scalar;
 
+use super::balance::{Ledger, balance, columns};
 use super::description::{description, turns};
 use super::limits::check_format;
 use super::memory::GasArrays;
@@ -18,8 +19,8 @@ use super::plan::Plan;
 use crate::engine::{Holder, HostScalar, Threads};
 use crate::families::apart::{Frame, check_apart};
 use crate::run::{
-    Description, Measures, Outcome, Row, RunError, Schedule, Simulation, Spread, Spreading, Step,
-    Stops, Sum, check_memory, check_step,
+    Balance, Description, Measures, Outcome, Row, RunError, Schedule, Simulation, Spread,
+    Spreading, Step, Stops, Sum, check_memory, check_step,
 };
 use crate::sums::{Compensated, compensated};
 
@@ -63,6 +64,7 @@ struct GasSimulation<S: Scalar, P: Physics<S, D>, const D: usize> {
     clock: Clock<S>,
     stops: Stops<S>,
     lonely: Option<Lonely>,
+    ledger: Ledger,
     holder: Holder,
     /// What the drifts of mass, momentum, angular momentum and energy are compared with.
     sizes: [f64; 4],
@@ -104,6 +106,7 @@ fn prepared<S: HostScalar, P: Physics<S, D> + Send + 'static, const D: usize>(
         clock: Clock::new(S::from_f64(plan.end)),
         stops: Stops::none(),
         lonely: None,
+        ledger: Ledger::default(),
         holder: Holder::new(),
         sizes: [0.0; 4],
         description,
@@ -287,6 +290,7 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
             opening
                 .exchange(&self.setup.domain, &mut self.memory)
                 .map_err(failed)?;
+            self.ledger.open(&self.setup.domain, &self.memory.position);
         }
         let solver = self.setup.solver();
         let (mut gas, mut work) = self.memory.parts();
@@ -297,6 +301,10 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
         solver
             .advance(engine, &mut gas, &mut work, dt)
             .map_err(failed)?;
+        if self.setup.plan.opening.is_some() {
+            let (domain, gas) = (&self.setup.domain, &self.memory);
+            self.ledger.close(domain, &gas.position, &gas.mass);
+        }
         let ticked = self.stops.tick(&mut self.clock, dt, &room);
         ticked.map_err(failed)?;
         self.watch();
@@ -391,6 +399,9 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
         }
         diagnostics.push(kinetic);
         diagnostics.extend(turns(D).iter().map(|&i| angular[i]));
+        let plan = &self.setup.plan;
+        let columns = columns(plan.opening.as_ref()).into_iter();
+        diagnostics.extend(columns.map(|(end, _)| self.ledger.mass(end) * plan.units.mass));
         let values = [
             vec![mass],
             momentum.to_vec(),
@@ -423,6 +434,10 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
 
     fn digest_unordered(&mut self) -> Digest {
         self.memory.gas().digest_unordered()
+    }
+
+    fn balance(&self, outcome: &Outcome) -> Vec<Balance> {
+        balance(self.setup.plan.opening.as_ref(), &outcome.series)
     }
 
     fn doubts(&self, _: &Outcome) -> Vec<String> {

@@ -20,8 +20,8 @@ use super::solver::Solver;
 use crate::engine::{Holder, HostScalar, Threads};
 use crate::families::apart::{Frame, check_apart};
 use crate::run::{
-    Description, EnergyNorm, Measures, Outcome, Particulars, Row, RunError, Schedule, Simulation,
-    Spread, Step, Stops, Sum, check_memory, check_step,
+    Balance, Description, EnergyNorm, Measures, Outcome, Particulars, Row, RunError, Schedule,
+    Simulation, Spread, Step, Stops, Sum, check_memory, check_step,
 };
 use crate::scenario::linear::System;
 use crate::sums::compensated;
@@ -466,6 +466,10 @@ where
             .collect()
     }
 
+    fn balance(&self, outcome: &Outcome) -> Vec<Balance> {
+        balance(&self.plan, &outcome.series)
+    }
+
     fn particulars(&self, outcome: &Outcome) -> Option<Particulars> {
         let norms = outcome.series.of("energy_norm");
         let last = |values: &[f64]| values.last().copied().unwrap_or(f64::NAN);
@@ -480,7 +484,6 @@ where
                 last: last(&norms),
                 bound: Some(bound).filter(|bound| bound.is_finite()),
             },
-            balance: balance(&self.plan, &outcome.series),
         })
     }
 }

@@ -31,6 +31,7 @@ mod proof;
 mod rates;
 pub mod state;
 mod storage;
+pub mod stress;
 pub mod switch;
 pub mod terms;
 pub mod tube;

@@ -51,6 +51,7 @@ fn everything<const D: usize>(energy: EnergyForm) -> Options<f64, D> {
         conduction: 0.75,
         diffusion: Diffusion {
             viscosity: 0.1,
+            bulk_viscosity: 0.05,
             heat: 0.1,
         },
         ..Options::OFF
@@ -224,6 +225,7 @@ fn all_forms_agree_to_the_square_of_the_step() {
         let with = |energy| Options {
             diffusion: Diffusion {
                 viscosity: diffusion,
+                bulk_viscosity: diffusion,
                 heat: diffusion,
             },
             plain: Plain {

@@ -131,6 +131,7 @@ fn everything<S: Scalar, const D: usize>(form: usize, by_number: bool) -> Option
         conduction: S::from_f64(0.75),
         diffusion: Diffusion {
             viscosity: S::from_f64(0.05),
+            bulk_viscosity: S::from_f64(0.02),
             heat: S::from_f64(0.08),
         },
     }

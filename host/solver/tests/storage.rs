@@ -149,6 +149,7 @@ fn options_need_their_storage_and_have_the_bits_of_the_host() {
         conduction: 0.75,
         diffusion: Diffusion {
             viscosity: 0.1,
+            bulk_viscosity: 0.05,
             heat: 0.1,
         },
         ..Options::OFF

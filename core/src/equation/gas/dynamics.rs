@@ -78,8 +78,8 @@ where
     /// `longest` if that is shorter. Error: a [`GasDynamics::courant`] out of its range.
     ///
     /// The signal speed of a particle is the largest of that of its viscosity
-    /// ([`Viscosity::signal`]), to which `8 (ν + χ)/ε` of the physical diffusivities is added,
-    /// and of `√(ε |a|)`, `|a|` the largest component of its acceleration.
+    /// ([`Viscosity::signal`]), to which `8 d/ε` of its physical diffusivity d is added
+    /// ([`super::stress`]), and of `√(ε |a|)`, `|a|` the largest component of its acceleration.
     ///
     /// The sound speed in it is `max(c_k, max_l c_l ν_k/ν_l √(m_l/m_k)/√2)`. A particle that moves
     /// against its partners compresses them: with `ν_l` the sum of measures of partner l,
@@ -156,8 +156,14 @@ where
 
     /// The speed that bounds the time step of a particle whose force is final.
     #[inline(always)]
-    pub(super) fn signal(&self, row: &Row<'_, S, D>, sound_speed: S, approach: S) -> S {
-        let spread = S::count(8) * (self.physics.diffusivity() / *row.epsilon);
+    pub(super) fn signal(
+        &self,
+        row: &Row<'_, S, D>,
+        sound_speed: S,
+        approach: S,
+        diffusivity: S,
+    ) -> S {
+        let spread = S::count(8) * (diffusivity / *row.epsilon);
         let mut force = S::ZERO;
         for &component in row.force.iter() {
             force = force.greater(component.abs());

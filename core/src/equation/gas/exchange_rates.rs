@@ -21,8 +21,8 @@ impl<S: Scalar, const D: usize> Physics<S, D> for Options<S, D> {
     fn plain(&self) -> &Plain<S, D> {
         &self.plain
     }
-    fn diffusivity(&self) -> S {
-        self.diffusion.viscosity + self.diffusion.heat
+    fn diffusivity(&self, shown: &Extras<S, D>) -> S {
+        shown.diffusivity
     }
     fn energy(&self) -> EnergyForm {
         self.energy
@@ -34,11 +34,12 @@ impl<S: Scalar, const D: usize> Physics<S, D> for Options<S, D> {
     fn shown(&self, state: &Thermal<S>) -> Extras<S, D> {
         Extras {
             pressure: state.pressure,
-            specific_volume: S::ONE / state.density,
+            specific_volume: S::ONE / (state.density * state.moment),
             energy: state.energy,
             material: S::count(u32::from(state.material)),
             linear: S::ONE,
             factor: S::ONE,
+            diffusivity: self.diffusion.heat / state.moment.lesser(S::ONE),
             ..Extras::ZERO
         }
     }
@@ -73,7 +74,10 @@ impl<S: Scalar, const D: usize> Physics<S, D> for Options<S, D> {
             .engine
             .evaluate(&law, &cloud.cells, shown, gradients)?;
         solver.switch(cloud, nodes, gradients);
-        Ok(())
+        match solver.physics.diffusion.is_viscous() {
+            true => solver.stresses(cloud, nodes, gradients),
+            false => Ok(()),
+        }
     }
 
     fn close_energy<C: CutOff, V: Viscosity<S>, E: EquationOfState<S>>(

@@ -120,6 +120,16 @@ pub struct Slopes<S, const D: usize> {
     pub energy: [S; D],
 }
 
+/// The inverse of the moments M of a particle.
+pub(super) struct Inverse<S, const D: usize> {
+    /// `D/tr M`.
+    unit: S,
+    /// The adjugate of `U = M/(tr M/D)`: its inverse times the determinant.
+    pub adjugate: [[S; D]; D],
+    /// The determinant of U, in (0, 1]: 1 where partners surround the particle evenly.
+    pub determinant: S,
+}
+
 impl<S: Scalar, const D: usize> GradientSums<S, D> {
     /// The gradients; 0 where the partners do not determine them.
     pub fn slopes(&self) -> Slopes<S, D> {
@@ -127,25 +137,14 @@ impl<S: Scalar, const D: usize> GradientSums<S, D> {
             velocity: [[S::ZERO; D]; D],
             energy: [S::ZERO; D],
         };
-        let mut trace = S::ZERO;
-        for i in 0..D {
-            trace += self.moments[i][i];
-        }
-        if !(trace > S::ZERO) {
+        let Some(Inverse {
+            unit,
+            adjugate,
+            determinant,
+        }) = self.inverse()
+        else {
             return slopes;
-        }
-        // Of order 1, also in fixed point.
-        let unit = S::count(D as u32) / trace;
-        let mut moments = self.moments;
-        for row in &mut moments {
-            for entry in row {
-                *entry = *entry * unit;
-            }
-        }
-        let (adjugate, determinant) = adjugate(&moments);
-        if !(determinant > S::from_f64(SMALLEST_DETERMINANT)) {
-            return slopes;
-        }
+        };
         let solved = |row: &[S; D]| {
             let mut solution = [S::ZERO; D];
             for j in 0..D {
@@ -159,6 +158,31 @@ impl<S: Scalar, const D: usize> GradientSums<S, D> {
         slopes.velocity = self.velocity.map(|row| solved(&row));
         slopes.energy = solved(&self.energy);
         slopes
+    }
+
+    /// The inverse of the moments; `None` where the partners do not determine gradients.
+    pub(super) fn inverse(&self) -> Option<Inverse<S, D>> {
+        let mut trace = S::ZERO;
+        for i in 0..D {
+            trace += self.moments[i][i];
+        }
+        if !(trace > S::ZERO) {
+            return None;
+        }
+        // Of order 1, also in fixed point.
+        let unit = S::count(D as u32) / trace;
+        let mut moments = self.moments;
+        for row in &mut moments {
+            for entry in row {
+                *entry = *entry * unit;
+            }
+        }
+        let (adjugate, determinant) = adjugate(&moments);
+        (determinant > S::from_f64(SMALLEST_DETERMINANT)).then_some(Inverse {
+            unit,
+            adjugate,
+            determinant,
+        })
     }
 }
 

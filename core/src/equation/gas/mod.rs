@@ -36,6 +36,7 @@ mod rates;
 pub mod reservoir;
 pub mod state;
 mod storage;
+pub mod stress;
 pub mod switch;
 pub mod terms;
 pub mod tube;

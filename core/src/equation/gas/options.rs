@@ -39,12 +39,15 @@ pub struct Switch<S> {
     pub decay: S,
 }
 
-/// Physical coefficients, the same for all particles; both by the operator (4.6).
+/// Physical coefficients, the same for all particles: those of Navier, Stokes and Fourier. In any
+/// dimension the stress is that of a gas in space,
+/// `σ = ρ ν (∇u + ∇uᵀ - 2/3 div u) + ρ ν_b div u`: see [`super::stress`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Diffusion<S> {
-    /// Kinematic viscosity, length²/time, >= 0. The stress is along lines of centres, which
-    /// conserves angular momentum: `ρ du/dt = ... + μ (∇²u + 2 ∇ div u)`, `μ = ρ ν`.
+    /// Kinematic shear viscosity ν, length²/time, >= 0.
     pub viscosity: S,
+    /// Kinematic bulk viscosity ν_b, length²/time, >= 0.
+    pub bulk_viscosity: S,
     /// Thermal diffusivity, length²/time, >= 0, of the internal energy within a material.
     pub heat: S,
 }
@@ -89,6 +92,20 @@ pub struct Options<S, const D: usize> {
     pub diffusion: Diffusion<S>,
 }
 
+impl<S: Scalar> Diffusion<S> {
+    /// None.
+    pub const OFF: Self = Self {
+        viscosity: S::ZERO,
+        bulk_viscosity: S::ZERO,
+        heat: S::ZERO,
+    };
+
+    /// Whether there is a viscous stress.
+    pub fn is_viscous(&self) -> bool {
+        self.viscosity > S::ZERO || self.bulk_viscosity > S::ZERO
+    }
+}
+
 impl<S: Scalar, const D: usize> Options<S, D> {
     /// Everything off: the paper's equations.
     pub const OFF: Self = Self {
@@ -98,15 +115,16 @@ impl<S: Scalar, const D: usize> Options<S, D> {
         switch: None,
         balsara: false,
         conduction: S::ZERO,
-        diffusion: Diffusion {
-            viscosity: S::ZERO,
-            heat: S::ZERO,
-        },
+        diffusion: Diffusion::OFF,
     };
 
     /// Whether gradients are needed.
     pub fn need_gradients(&self) -> bool {
-        self.limited || self.balsara || self.switch.is_some() || self.conduction > S::ZERO
+        self.limited
+            || self.balsara
+            || self.switch.is_some()
+            || self.conduction > S::ZERO
+            || self.diffusion.is_viscous()
     }
 
     /// Whether anything is on that [`Plain`] has not. Where nothing is, [`Plain`] gives the same
@@ -114,7 +132,6 @@ impl<S: Scalar, const D: usize> Options<S, D> {
     pub fn need_exchange(&self) -> bool {
         self.need_gradients()
             || self.energy != EnergyForm::LeapFrog
-            || self.diffusion.viscosity > S::ZERO
             || self.diffusion.heat > S::ZERO
     }
 }

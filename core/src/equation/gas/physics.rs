@@ -20,8 +20,9 @@ use super::viscosity::Viscosity;
 pub trait Physics<S: Scalar, const D: usize>: Terms<S, D> {
     /// Weights and external acceleration.
     fn plain(&self) -> &Plain<S, D>;
-    /// Physical diffusivities, summed.
-    fn diffusivity(&self) -> S {
+    /// The physical diffusivity that bounds the time step of a particle, length²/time.
+    fn diffusivity(&self, shown: &Self::Shown) -> S {
+        let _ = shown;
         S::ZERO
     }
     /// How the energy goes from one time to the next.
@@ -70,6 +71,9 @@ pub struct Thermal<S> {
     pub pressure: S,
     /// e.
     pub energy: S,
+    /// What the second moment of the cut-off's gradient sums to in place of 1,
+    /// `-1/(D ν_k) Σ_l μ_l r·∇ζ_kl(ε_k)`: Ω, where the width follows the density.
+    pub moment: S,
 }
 
 /// A sorted cloud of settled densities on its way through a step of length `dt`.

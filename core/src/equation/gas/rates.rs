@@ -4,10 +4,10 @@ use crate::cutoff::CutOff;
 use crate::error::Error;
 use crate::material::EquationOfState;
 use crate::neighbours::{Cells, Grid};
-use crate::pairs::Engine;
+use crate::pairs::{Engine, Settled};
 use crate::scalar::Scalar;
 
-use super::density::DensityNode;
+use super::density::{DensityNode, DensitySums, Width};
 use super::dynamics::{GasDynamics, Lowest};
 use super::motion::Motion;
 use super::node::{GasNode, GasSums};
@@ -64,7 +64,7 @@ where
         let excesses = self.excesses(gas, &cells, dt);
         for ((node, settled), &id) in nodes.iter_mut().zip(densities).zip(cells.order()) {
             if let Some(row) = gas.row(id) {
-                *node = self.gas_node(&settled.node, &row, &excesses, sigma, dt);
+                *node = self.gas_node(settled, &row, &excesses, sigma, dt);
             }
         }
         let mut cloud = Sorted {
@@ -105,12 +105,13 @@ where
     /// What a particle shows in (3.10) and (3.12).
     fn gas_node(
         &self,
-        settled: &DensityNode<S, D>,
+        settled: &Settled<DensityNode<S, D>, DensitySums<S, D>>,
         row: &Row<'_, S, D>,
         excesses: &Means<S>,
         sigma: S,
         dt: S,
     ) -> NodeOf<S, P, D> {
+        let (settled, sums) = (&settled.node, &settled.sums);
         let velocity = row.predicted(dt);
         let (density, epsilon) = (self.density(row.mass, settled.density), settled.epsilon);
         let energy = self.expected_energy(row, density, dt);
@@ -118,11 +119,12 @@ where
         let pressure = self
             .pressure_beyond(row.position, &velocity, excesses, [density, sound_speed])
             .unwrap_or(pressure);
+        let gradient = sigma / epsilon.powi(D + 2);
         GasNode {
             mass: row.mass,
             measure: self.measure(row.mass),
             pressure: pressure / (settled.omega * settled.density) / settled.density,
-            gradient: sigma / epsilon.powi(D + 2),
+            gradient,
             scale: self.cut_off.scale(S::ONE / epsilon),
             sound_speed,
             stiffness: sound_speed * (row.mass.sqrt() / settled.density),
@@ -134,8 +136,21 @@ where
                 density,
                 pressure,
                 energy,
+                moment: self.moment(settled, sums, gradient),
             }),
         }
+    }
+
+    /// The second moment of the cut-off's gradient; not below the smallest Ω.
+    #[inline(always)]
+    fn moment(&self, settled: &DensityNode<S, D>, sums: &DensitySums<S, D>, gradient: S) -> S {
+        let moment = match self.width {
+            Width::Adaptive { .. } => settled.omega,
+            Width::Constant { .. } => {
+                -(sums.first * gradient) / (S::count(D as u32) * settled.density)
+            }
+        };
+        moment.greater(self.smallest_omega)
     }
 
     /// Adds the viscosity's pressure to that of each particle.
@@ -210,7 +225,8 @@ where
             *row.approach = sums.approach;
             let felt = sums.stiffest * (settled.density / row.mass.sqrt());
             let speed = node.sound_speed.greater(felt * S::from_f64(FELT));
-            *row.signal = self.signal(&row, speed, sums.approach);
+            let diffusivity = self.physics.diffusivity(&node.terms);
+            *row.signal = self.signal(&row, speed, sums.approach, diffusivity);
         }
     }
 

@@ -12,6 +12,8 @@ use super::viscosity::{Pair, Viscosity};
 pub struct Between<N, const D: usize> {
     /// `r = x_k - x_l`.
     pub r: [N; D],
+    /// `u_k - u_l`.
+    pub u: [N; D],
     /// `|r|²`.
     pub distance_squared: N,
     /// `|r|`.
@@ -37,7 +39,7 @@ pub trait Terms<S: Scalar, const D: usize>: Copy + Sync {
     /// What they need to know of a particle; [`Nothing`] where the paper's equations suffice.
     type Shown: Fields<S>;
 
-    /// Π of a pair, artificial and physical.
+    /// Π of a pair.
     fn stress<N: Number<Scalar = S>, V: Viscosity<S>>(
         &self,
         viscosity: &V,
@@ -57,6 +59,27 @@ pub trait Terms<S: Scalar, const D: usize>: Copy + Sync {
     ) -> N {
         let _ = (k, l, between, coupling);
         N::zero()
+    }
+
+    /// What the viscous stresses of `k` and of `l` exert between the two: `k` receives minus the sum of
+    /// both as force, and each turns its own times `u_k - u_l` into heat. `factors` are
+    /// `μ_k μ_l` times those of the gradients. `None` without such a stress.
+    #[inline(always)]
+    fn drag<N: Number<Scalar = S>>(
+        &self,
+        k: &NodeOver<N, S, Self, D>,
+        l: &NodeOver<N, S, Self, D>,
+        between: &Between<N, D>,
+        factors: [N; 2],
+    ) -> Option<[[N; D]; 2]> {
+        let _ = (k, l, between, factors);
+        None
+    }
+
+    /// Whether pressure and pseudo-viscosity are all that a pair exchanges, as far as a proof by their
+    /// bounds can tell; else each pair is proven by itself.
+    fn is_bounded(&self) -> bool {
+        true
     }
 
     /// What is shown behind a wall across direction `axis`.

@@ -53,11 +53,13 @@ pub enum ViscosityKind {
     None,
 }
 
-/// Physical diffusion, length^2/time.
+/// Physical diffusion, length^2/time: that of Navier, Stokes and Fourier.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Diffusion {
-    /// Kinematic viscosity, >= 0.
+    /// Kinematic shear viscosity, >= 0.
     pub viscosity: f64,
+    /// Kinematic bulk viscosity, >= 0.
+    pub bulk_viscosity: f64,
     /// Thermal diffusivity, >= 0.
     pub heat: f64,
 }
@@ -183,6 +185,7 @@ pub(super) fn diffusion(root: &Section<'_>) -> Result<Diffusion, Fault> {
     };
     Ok(Diffusion {
         viscosity: coefficient("viscosity")?,
+        bulk_viscosity: coefficient("bulk-viscosity")?,
         heat: coefficient("heat")?,
     })
 }

@@ -125,6 +125,7 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
         "diffusion",
         &[
             key("viscosity", "viscosity = 0.01"),
+            key("bulk-viscosity", "bulk-viscosity = 0.01"),
             key("heat", "heat = 0.01"),
         ],
     ),

@@ -81,8 +81,12 @@ fn what_is_left_out_means_none_of_it() {
     assert_eq!(scenario.weights, Weights::Mass);
     assert_eq!(scenario.conduction, 0.0);
     assert_eq!(
-        (scenario.diffusion.viscosity, scenario.diffusion.heat),
-        (0.0, 0.0)
+        scenario.diffusion,
+        Diffusion {
+            viscosity: 0.0,
+            bulk_viscosity: 0.0,
+            heat: 0.0
+        }
     );
     assert_eq!(scenario.acceleration, [0.0, 0.0]);
     assert_eq!(scenario.time.energy, EnergyRule::LeapFrog);
@@ -106,7 +110,7 @@ fn what_is_left_out_means_none_of_it() {
 #[test]
 fn every_section_reads_as_written() {
     let more = "[weights]\nrule = \"number\"\n[conduction]\nalpha = 0.5\n\
-        [diffusion]\nviscosity = 0.01\nheat = 0.02\n[force]\nacceleration = [0.0, -9.81]\n\
+        [diffusion]\nviscosity = 0.01\nbulk-viscosity = 0.03\nheat = 0.02\n[force]\nacceleration = [0.0, -9.81]\n\
         [output]\nexact = \"sedov\"\nring = { inner = 0.05, outer = 0.35, center = [0.5, 0.5] }\n\
         snapshots = { steps = 10, format = \"csv\" }\n\
         [tolerance.density]\nl1 = 0.01\nlinf = 0.5\nreason = \"measured\"\n\
@@ -126,8 +130,12 @@ fn every_section_reads_as_written() {
     assert_eq!(scenario.weights, Weights::Number);
     assert_eq!(scenario.conduction, 0.5);
     assert_eq!(
-        (scenario.diffusion.viscosity, scenario.diffusion.heat),
-        (0.01, 0.02)
+        scenario.diffusion,
+        Diffusion {
+            viscosity: 0.01,
+            bulk_viscosity: 0.03,
+            heat: 0.02
+        }
     );
     assert_eq!(scenario.acceleration, [0.0, -9.81]);
     assert_eq!(scenario.time.energy, EnergyRule::Exact);
@@ -471,6 +479,7 @@ const FAULTS: &[Case] = &[
     ("beta = 2.0", "beta = 2.0\nbalsara = 1", "balsara", "need true or false", "`balsara = true`"),
     ("[time]", "[conduction]\nalpha = -1.0\n[time]", "alpha", "conduction.alpha = -1.0", "0 or a positive"),
     ("[time]", "[diffusion]\nheat = -1.0\n[time]", "heat", "diffusion.heat = -1.0", "0 or a positive"),
+    ("[time]", "[diffusion]\nbulk-viscosity = -1.0\n[time]", "bulk-viscosity", "diffusion.bulk-viscosity = -1.0", "0 or a positive"),
     ("[time]", "[force]\nacceleration = [1.0]\n[time]", "acceleration", "force.acceleration has length 1", "dimension = 2"),
     ("end = 0.1", "end = 0.1\nenergy = \"leap-frog\"", "energy", "time.energy = \"leap-frog\"", "known: leapfrog, exact, total"),
     // Output.

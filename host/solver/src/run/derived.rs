@@ -1,7 +1,6 @@
 //! Quantities that follow from the fields of a gas, as other codes measure their errors.
 
 use super::description::{Abscissa, Description, Field};
-use super::norms::{distance, length};
 
 /// What errors of a gas are measured of, beside its fields.
 pub(super) struct Derived {
@@ -92,4 +91,15 @@ impl Derived {
         }
         all
     }
+}
+
+/// `|a - b|`.
+pub(super) fn distance(a: &[f64], b: &[f64]) -> f64 {
+    let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
+    squares.sum::<f64>().sqrt()
+}
+
+/// `|a|`.
+pub(super) fn length(a: &[f64]) -> f64 {
+    a.iter().map(|a| a * a).sum::<f64>().sqrt()
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::derived::Derived;
+use super::derived::{Derived, distance, length};
 use super::description::Kind;
 use super::simulation::{Row, Simulation};
 use crate::exact::solution::Solution;
@@ -204,17 +204,6 @@ pub fn errors(
         .chain(more)
         .map(|(name, sums)| Some((name.to_owned(), sums.norms()?)))
         .collect()
-}
-
-/// `|a - b|`.
-pub(super) fn distance(a: &[f64], b: &[f64]) -> f64 {
-    let squares = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b));
-    squares.sum::<f64>().sqrt()
-}
-
-/// `|a|`.
-pub(super) fn length(a: &[f64]) -> f64 {
-    a.iter().map(|a| a * a).sum::<f64>().sqrt()
 }
 
 /// `((a - b)·P(a - b))^(1/2)`.

@@ -42,8 +42,8 @@ fn heat(k: &Node, l: &Node, conduction: f64, heat: f64) -> [f64; 2] {
         terms: Options {
             conduction,
             diffusion: Diffusion {
-                viscosity: 0.0,
                 heat,
+                ..Diffusion::OFF
             },
             ..Options::OFF
         },

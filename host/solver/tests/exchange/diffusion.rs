@@ -71,11 +71,11 @@ fn rate(what: Diffused, energy: EnergyForm, per_wave: usize) -> f64 {
     let diffusion = match what {
         Diffused::Shear => Diffusion {
             viscosity: NU,
-            heat: 0.0,
+            ..Diffusion::OFF
         },
         Diffused::Heat => Diffusion {
-            viscosity: 0.0,
             heat: NU,
+            ..Diffusion::OFF
         },
     };
     let options = Options {

@@ -8,6 +8,8 @@ mod diffusion;
 mod gradients;
 mod interfaces;
 mod limiter;
+mod navier_stokes;
+mod stress;
 mod switches;
 mod walls;
 
@@ -59,6 +61,7 @@ fn everything<const D: usize>(energy: EnergyForm) -> Options<f64, D> {
         conduction: 0.75,
         diffusion: Diffusion {
             viscosity: 0.1,
+            bulk_viscosity: 0.05,
             heat: 0.15,
         },
         ..Options::OFF

@@ -121,6 +121,7 @@ impl Plan {
             conduction: S::from_f64(options.conduction),
             diffusion: Diffusion {
                 viscosity: S::from_f64(options.diffusion.viscosity),
+                bulk_viscosity: S::from_f64(options.diffusion.bulk_viscosity),
                 heat: S::from_f64(options.diffusion.heat),
             },
         }

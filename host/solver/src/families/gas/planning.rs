@@ -263,6 +263,7 @@ impl Frame<'_> {
             conduction: scenario.conduction,
             diffusion: Diffusion {
                 viscosity: scenario.diffusion.viscosity / diffusivity,
+                bulk_viscosity: scenario.diffusion.bulk_viscosity / diffusivity,
                 heat: scenario.diffusion.heat / diffusivity,
             },
         }

@@ -554,7 +554,7 @@ fn converge_prints_one_object_with_the_documented_keys_and_leaves_table_and_pict
     // The field that the scenario holds to a bound, in the norm for gas.
     assert_eq!(
         (&json["field"], &json["norm"]),
-        (&"velocity".into(), &"l1".into())
+        (&"density".into(), &"l1".into())
     );
     let levels = json["levels"].as_array().unwrap();
     assert_eq!(levels.len(), 3);

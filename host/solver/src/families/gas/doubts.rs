@@ -6,6 +6,9 @@ use crate::setup::Placed;
 /// Spacings across a region below which its waves are not resolved.
 const LEAST: f64 = 10.0;
 
+/// Of how many of the smallest spacings one is that was not chosen, but left over.
+const COARSE: f64 = 1.25;
+
 /// What a careful reader should know of a gas at t = 0.
 pub(super) fn doubts(scenario: &Scenario, placed: &[Placed]) -> Vec<String> {
     let starved = starved(scenario, placed).into_iter();
@@ -15,17 +18,28 @@ pub(super) fn doubts(scenario: &Scenario, placed: &[Placed]) -> Vec<String> {
         .collect()
 }
 
-/// Regions that are but a few spacings wide.
+/// Regions that are but a few spacings wide, and have larger ones than others: where all are alike, that
+/// is what was asked for.
 fn starved(scenario: &Scenario, placed: &[Placed]) -> Vec<String> {
-    let of_region = |(number, region): (usize, &Region)| {
-        let inside = |particle: &&Placed| holds(region, &particle.position[..scenario.dimension]);
+    let dimension = scenario.dimension;
+    let spacing = |region: &Region| {
+        let inside = |particle: &&Placed| holds(region, &particle.position[..dimension]);
         // What lies in several is that of the last of them, as its density tells.
         let mine = |particle: &&Placed| inside(particle) && particle.density == region.density;
         let mass = placed.iter().find(mine)?.mass;
-        let spacing = libm::pow(mass / region.density, 1.0 / scenario.dimension as f64);
+        Some(libm::pow(mass / region.density, 1.0 / dimension as f64))
+    };
+    let spacings: Vec<Option<f64>> = scenario.regions.iter().map(spacing).collect();
+    let finest = spacings
+        .iter()
+        .flatten()
+        .copied()
+        .fold(f64::INFINITY, f64::min);
+    let of_region = |(number, region): (usize, &Region)| {
+        let spacing = spacings[number].filter(|spacing| *spacing > COARSE * finest)?;
         let across = narrowest(scenario, region)? / spacing;
         (across < LEAST).then(|| {
-            let factor = libm::pow(LEAST / across, scenario.dimension as f64);
+            let factor = libm::pow(LEAST / across, dimension as f64);
             let needed = libm::ceil(factor * placed.len() as f64);
             format!(
                 "region {number} is {across:.1} spacings across, and what happens in it takes ten and more: \
@@ -33,12 +47,8 @@ fn starved(scenario: &Scenario, placed: &[Placed]) -> Vec<String> {
             )
         })
     };
-    scenario
-        .regions
-        .iter()
-        .enumerate()
-        .filter_map(of_region)
-        .collect()
+    let regions = scenario.regions.iter().enumerate();
+    regions.filter_map(of_region).collect()
 }
 
 fn holds(region: &Region, point: &[f64]) -> bool {
@@ -121,8 +131,10 @@ mod tests {
         // By volume both sides have half of them.
         let even = ["resolution.particles=54", "resolution.share=volume"];
         assert_eq!(told("sod", &even), "");
-        // A ball of six spacings.
-        let ball = told("wind-tunnel", &["region.1.radius=0.06"]);
+        // A ball of nine spacings, as wide as those around it; and of air in water.
+        assert_eq!(told("wind-tunnel", &[]), "");
+        let thin = ["region.1.density=0.1", "resolution.share=mass"];
+        let ball = told("wind-tunnel", &thin);
         assert!(ball.contains("region 1 is"), "{ball}");
     }
 

@@ -401,8 +401,11 @@ fn cancels<S: Scalar>(terms: impl Iterator<Item = S> + Clone) -> bool {
     sum == S::ZERO && terms.into_iter().any(|term| term != S::ZERO)
 }
 
-/// Momentum rates cancel at every step, and rates of total energy where there are such.
-fn rates_cancel<S: HostScalar, const D: usize, P: Case<S, D>>(physics: P, per_side: usize) {
+/// Momentum rates cancel at every one of some steps, and rates of total energy where there are such.
+fn rates_cancel<S: HostScalar, const D: usize, P: Case<S, D>>(
+    physics: P,
+    (per_side, steps): (usize, usize),
+) {
     let flows = physics.options().energy == EnergyForm::Total;
     for seed in 1..5 {
         let cloud = cloud(per_side, seed);
@@ -413,7 +416,7 @@ fn rates_cancel<S: HostScalar, const D: usize, P: Case<S, D>>(physics: P, per_si
             let (mut gas, mut work) = arrays.parts();
             let mut engine = GoesOn(&mut HalfLoop);
             solver.prepare(&mut engine, &mut gas, &mut work).unwrap();
-            for _ in 0..10 {
+            for _ in 0..steps {
                 for i in 0..D {
                     let forces = gas.force.iter().map(|force| force[i]);
                     assert!(cancels(forces), "{D}D seed {seed}, {physics:?}");
@@ -436,21 +439,22 @@ fn rates_cancel<S: HostScalar, const D: usize, P: Case<S, D>>(physics: P, per_si
 #[test]
 fn fixed_point_forces_of_a_free_cloud_cancel_exactly() {
     for by_number in [false, true] {
-        rates_cancel::<Q32<U19>, 1, _>(plain(by_number), 60);
-        rates_cancel::<Q32<U19>, 2, _>(plain(by_number), 12);
-        rates_cancel::<Q32<U19>, 3, _>(plain(by_number), 11);
-        rates_cancel::<Q64<U32>, 2, _>(plain(by_number), 12);
+        rates_cancel::<Q32<U19>, 1, _>(plain(by_number), (60, 10));
+        rates_cancel::<Q32<U19>, 2, _>(plain(by_number), (12, 10));
+        rates_cancel::<Q32<U19>, 3, _>(plain(by_number), (11, 10));
+        rates_cancel::<Q64<U32>, 2, _>(plain(by_number), (12, 10));
     }
 }
 
-/// And so they do with all options; and the flow of energy with [`EnergyForm::Total`].
+/// And so they do with all options; and the flow of energy with [`EnergyForm::Total`]. Fewer steps:
+/// with physical viscosity proofs go pair by pair.
 #[test]
 fn fixed_point_rates_with_all_options_cancel_exactly() {
     for form in 0..FORMS.len() {
-        rates_cancel::<Q32<U19>, 1, _>(everything(form, false), 60);
-        rates_cancel::<Q32<U19>, 2, _>(everything(form, true), 12);
-        rates_cancel::<Q32<U19>, 3, _>(everything(form, false), 11);
-        rates_cancel::<Q64<U32>, 2, _>(everything(form, false), 12);
+        rates_cancel::<Q32<U19>, 1, _>(everything(form, false), (60, 3));
+        rates_cancel::<Q32<U19>, 2, _>(everything(form, true), (12, 3));
+        rates_cancel::<Q32<U19>, 3, _>(everything(form, false), (11, 3));
+        rates_cancel::<Q64<U32>, 2, _>(everything(form, false), (12, 3));
     }
 }
 

@@ -37,14 +37,15 @@ impl Packing {
             .cells(S::ONE)
             .saturating_add(1)
             .min(24);
-        let side = 2 * most + 1;
+        // Small numbers: nothing wraps, and nothing is divided by 0.
+        let side = most.wrapping_mul(2).wrapping_add(1).max(1);
         let mut sum = S::ZERO;
         for number in 0..(0..D).fold(1u32, |points, _| points.saturating_mul(side)) {
             let mut rest = number;
             let mut steps = [0i32; D];
             for step in &mut steps {
-                *step = (rest % side) as i32 - most as i32;
-                rest /= side;
+                *step = rest.checked_rem(side).unwrap_or(0).wrapping_sub(most) as i32;
+                rest = rest.checked_div(side).unwrap_or(0);
             }
             if let Some(place) = self.place(steps) {
                 sum += value(place);

@@ -93,7 +93,7 @@ impl<S: Scalar> Far<S> {
             if !rank.holds(distance) {
                 continue;
             }
-            count += 1;
+            count = u32::saturating_add(count, 1);
             let excess = self.excess(end.side, velocity);
             let push = end.side.outward(end.along(force) / mass);
             rank.excess += (excess - rank.excess) / S::count(count);

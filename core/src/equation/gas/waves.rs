@@ -45,7 +45,7 @@ impl<S: Scalar> Means<S> {
             .get_mut(place.end)
             .and_then(|of| of.get_mut(place.number));
         if let (Some(mean), Some(count)) = (mean, count) {
-            *count += 1;
+            *count = count.saturating_add(1);
             *mean += (value - *mean) / S::count(*count);
         }
     }

@@ -4,6 +4,7 @@
 //! `description`, the run loop in `complete`, what it leaves in `outcome`;
 //! `pace` says whether it ends in a time that one waits for.
 
+mod balance;
 mod complete;
 mod derived;
 mod description;
@@ -16,15 +17,17 @@ mod schedule;
 mod simulation;
 mod spread;
 
+pub use balance::Balance;
+pub(crate) use balance::inflow;
 pub use complete::{Control, complete};
 pub(crate) use description::fields;
 pub use description::{Abscissa, Description, Field, Kind, View};
 pub use error::RunError;
 pub(crate) use limits::{check_memory, check_numbers, check_step};
-pub use norms::{ENERGY, NormSums, Norms, RECONSTRUCTION, STATE, Share, Window, errors};
+pub use norms::{ENERGY, NormSums, Norms, Portion, RECONSTRUCTION, STATE, Window, errors};
 pub use outcome::{Outcome, Sample, Series};
 pub use pace::{Mark, Pace};
 pub use schedule::Schedule;
 pub(crate) use schedule::Stops;
-pub use simulation::{Balance, EnergyNorm, Measures, Particulars, Row, Simulation, Step, Sum};
+pub use simulation::{EnergyNorm, Measures, Particulars, Row, Simulation, Step, Sum};
 pub use spread::{Spread, Spreading};

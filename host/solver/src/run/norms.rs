@@ -59,7 +59,7 @@ pub struct NormSums {
 
 /// How much a particle counts.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Share {
+pub struct Portion {
     /// Its volume.
     pub volume: f64,
     /// Its mass; 0 where there is none.
@@ -68,7 +68,7 @@ pub struct Share {
 
 impl NormSums {
     /// Adds the error of a particle where the exact value is of size `exact`.
-    pub fn add(&mut self, Share { volume, mass }: Share, error: f64, exact: f64) {
+    pub fn add(&mut self, Portion { volume, mass }: Portion, error: f64, exact: f64) {
         let size = error.abs();
         self.exact += volume * exact.abs();
         self.mass += mass;
@@ -156,7 +156,7 @@ pub fn errors(
             return;
         }
         solution.write(row.position, time, &mut exact);
-        let share = Share {
+        let portion = Portion {
             volume: row.volume,
             mass: mass.map_or(0.0, |mass| row.values[mass.first]),
         };
@@ -169,27 +169,27 @@ pub fn errors(
                 Kind::Vector => distance(values, of_field),
                 _ => values[0] - of_field[0],
             };
-            sums.add(share, error, length(of_field));
+            sums.add(portion, error, length(of_field));
         }
         if let Some(derived) = &derived {
             let errors = derived.errors(&row.values, &exact, &row.position);
             for (sums, (error, size)) in more.iter_mut().zip(errors) {
-                sums.add(share, error, size);
+                sums.add(portion, error, size);
             }
         }
         if description.is_state {
             let p = exact.len();
             let first = fields[0].first;
             let error = distance(&row.values[first..first + p], &exact);
-            state.add(share, error, length(&exact));
+            state.add(portion, error, length(&exact));
             if !weights.is_empty() {
                 let values = &row.values[first..first + p];
                 let nothing = vec![0.0; p];
                 let size = weighted(&nothing, &exact, &weights);
-                energy.add(share, weighted(values, &exact, &weights), size);
+                energy.add(portion, weighted(values, &exact, &weights), size);
             }
             let smooth = &reconstruction[(id - 1) * p..id * p];
-            smoothed.add(share, distance(smooth, &exact), length(&exact));
+            smoothed.add(portion, distance(smooth, &exact), length(&exact));
         }
     });
     let more = names.iter().copied().zip(more);

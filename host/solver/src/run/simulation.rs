@@ -1,9 +1,8 @@
 //! What every family of equations is seen as from outside.
 
-use std::collections::BTreeMap;
-
 use motes_core::digest::Digest;
 
+use super::balance::Balance;
 use super::description::Description;
 use super::error::RunError;
 use super::outcome::Outcome;
@@ -65,21 +64,6 @@ pub struct Particulars {
     pub epsilon: f64,
     /// The energy norm over the run.
     pub energy_norm: EnergyNorm,
-}
-
-/// Why the sum of a component is what it is at the end.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
-pub struct Balance {
-    /// Name of the component.
-    pub component: String,
-    /// What its sum has changed by.
-    pub change: f64,
-    /// What has come in through each wall, below 0 where it went out.
-    pub walls: BTreeMap<String, f64>,
-    /// What reactions have made; `null` without any.
-    pub reactions: Option<f64>,
-    /// What is left of the change: rounding.
-    pub residual: f64,
 }
 
 /// The energy norm `(Σ w u·Pu)^(1/2)` over a run.

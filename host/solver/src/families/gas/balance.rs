@@ -4,15 +4,15 @@ use motes_core::domain::Domain;
 use motes_core::scalar::Scalar;
 
 use super::opening::{OpenSides, OpenZone};
-use crate::run::{Balance, Series};
+use crate::run::{Balance, Series, inflow};
 use crate::sums::Compensated;
 
-const AXES: [&str; 3] = ["x", "y", "z"];
-const ENDS: [&str; 2] = ["lower", "upper"];
+/// What comes in.
+const MASS: &str = "mass";
 
 /// What has passed the open sides since the start.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Ledger {
+pub(super) struct MassLedger {
     /// The mass that has come in at the lower and the upper side, below 0 where it went out, in
     /// units of the solver.
     mass: [Compensated; 2],
@@ -20,7 +20,7 @@ pub(super) struct Ledger {
     before: Vec<u8>,
 }
 
-impl Ledger {
+impl MassLedger {
     /// Remembers where particles are, before a step.
     pub fn open<S: Scalar, const D: usize>(&mut self, domain: &Domain<S, D>, at: &[[S; D]]) {
         self.before.clear();
@@ -60,39 +60,25 @@ fn place<S: Scalar, const D: usize>(domain: &Domain<S, D>, position: &[S; D]) ->
         .map_or(2, |(_, side)| side.end as u8)
 }
 
+/// The sides that are open, by direction and end.
+fn open_sides(opening: Option<&OpenSides>) -> impl Iterator<Item = (usize, usize)> {
+    let sides = opening.into_iter().flat_map(|opening| {
+        let is_open = |&end: &usize| opening.zones[end] != OpenZone::Shut;
+        (0..2).filter(is_open).map(|end| (opening.axis, end))
+    });
+    sides
+}
+
 /// The ends of the sides that are open, and the columns that say what came in there.
 pub(super) fn columns(opening: Option<&OpenSides>) -> Vec<(usize, String)> {
-    let Some(opening) = opening else {
-        return Vec::new();
-    };
-    let is_open = |&end: &usize| opening.zones[end] != OpenZone::Shut;
-    let name = |end: usize| format!("{}_{}", AXES[opening.axis], ENDS[end]);
-    let ends = (0..ENDS.len()).filter(is_open);
-    ends.map(|end| (end, format!("inflow_{}_mass", name(end))))
+    open_sides(opening)
+        .map(|(axis, end)| (end, inflow(axis, end, MASS)))
         .collect()
 }
 
 /// The balance of the mass; none where no side is open.
 pub(super) fn balance(opening: Option<&OpenSides>, series: &Series) -> Vec<Balance> {
-    let columns = columns(opening);
-    if columns.is_empty() {
-        return Vec::new();
-    }
-    let mass = series.of("mass");
-    let ends = mass.last().zip(mass.first());
-    let change = ends.map_or(f64::NAN, |(last, first)| last - first);
-    let walls = columns.iter().map(|(_, column)| {
-        let came = series.of(column).last().copied().unwrap_or(f64::NAN);
-        let side = column.trim_start_matches("inflow_");
-        (side.trim_end_matches("_mass").to_owned(), came)
-    });
-    let walls: std::collections::BTreeMap<_, _> = walls.collect();
-    let residual = change - walls.values().sum::<f64>();
-    vec![Balance {
-        component: "mass".to_owned(),
-        change,
-        walls,
-        reactions: None,
-        residual,
-    }]
+    let has_any = open_sides(opening).next().is_some();
+    let of = || Balance::of(series, (MASS, MASS), open_sides(opening), None);
+    has_any.then(of).into_iter().collect()
 }

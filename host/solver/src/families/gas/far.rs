@@ -26,7 +26,7 @@ impl Surroundings<'_> {
         let inflow = self.scenario.inflow.as_ref()?;
         let law = &self.scenario.materials[inflow.material].law;
         let energy = law.energy(inflow.density, inflow.pressure);
-        let state = Mean {
+        let state = Beside {
             velocity: inflow.velocity[self.axis],
             pressure: law.pressure(inflow.density * self.excess, energy),
             shift: 0.0,
@@ -54,13 +54,13 @@ impl Surroundings<'_> {
     }
 
     /// The mean state within a distance, in solver units, from a side.
-    fn next_to(&self, end: usize, distance: f64) -> Option<Mean> {
+    fn next_to(&self, end: usize, distance: f64) -> Option<Beside> {
         let extent = &self.scenario.domain.extent;
         let side = [extent.lower[self.axis], extent.upper[self.axis]][end];
         let near = |placed: &&Placed| {
             (placed.position[self.axis] - side).abs() <= distance * self.units.length
         };
-        let mut mean = Mean::default();
+        let mut mean = Beside::default();
         let mut all = 0.0;
         for placed in self.placed.iter().filter(near) {
             let law = &self.scenario.materials[usize::from(placed.material)].law;
@@ -85,7 +85,7 @@ impl Surroundings<'_> {
 
 /// A state in the scenario's units.
 #[derive(Default)]
-struct Mean {
+struct Beside {
     velocity: f64,
     pressure: f64,
     /// What sums over a lattice add to the pressure.
@@ -94,7 +94,7 @@ struct Mean {
     sound_speed: f64,
 }
 
-impl Mean {
+impl Beside {
     fn far(&self, units: &SolverUnits, depth: f64) -> Far<f64> {
         Far {
             velocity: self.velocity / units.velocity,

@@ -5,6 +5,7 @@ mod description;
 mod doubts;
 mod exact;
 mod far;
+mod fitness;
 mod limits;
 mod memory;
 mod opening;

@@ -10,7 +10,7 @@ use motes_core::integrator::Clock;
 use motes_core::material::{EquationOfState, Named as NamedMaterial};
 use motes_core::scalar::Scalar;
 
-use super::balance::{Ledger, balance, columns};
+use super::balance::{MassLedger, balance, columns};
 use super::description::{description, turns};
 use super::limits::check_format;
 use super::memory::GasArrays;
@@ -64,7 +64,7 @@ struct GasSimulation<S: Scalar, P: Physics<S, D>, const D: usize> {
     clock: Clock<S>,
     stops: Stops<S>,
     lonely: Option<Lonely>,
-    ledger: Ledger,
+    ledger: MassLedger,
     holder: Holder,
     /// What the drifts of mass, momentum, angular momentum and energy are compared with.
     sizes: [f64; 4],
@@ -106,7 +106,7 @@ fn prepared<S: HostScalar, P: Physics<S, D> + Send + 'static, const D: usize>(
         clock: Clock::new(S::from_f64(plan.end)),
         stops: Stops::none(),
         lonely: None,
-        ledger: Ledger::default(),
+        ledger: MassLedger::default(),
         holder: Holder::new(),
         sizes: [0.0; 4],
         description,

@@ -5,11 +5,8 @@ use motes_core::equation::diffusion::Ledger;
 use motes_core::scalar::Scalar;
 
 use super::plan::Plan;
-use crate::run::{Balance, Series};
+use crate::run::{Balance, Series, inflow};
 use crate::scenario::linear::{Reaction, System};
-
-const AXES: [&str; 3] = ["x", "y", "z"];
-const ENDS: [&str; 2] = ["lower", "upper"];
 
 /// Something that a component comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,7 +24,7 @@ impl Source {
         };
         let mut all = Vec::new();
         for (axis, sides) in plan.axes.iter().take(plan.dimension).enumerate() {
-            for end in (0..ENDS.len()).filter(|&end| sides.sides[end] == Side::Mirror) {
+            for end in (0..2).filter(|&end| sides.sides[end] == Side::Mirror) {
                 all.extend((0..problem.species.len()).map(|component| Self {
                     wall: Some((axis, end)),
                     component,
@@ -47,7 +44,7 @@ impl Source {
     pub fn column(self, names: &[String]) -> String {
         let name = &names[self.component];
         match self.wall {
-            Some((axis, end)) => format!("inflow_{}_{}_{name}", AXES[axis], ENDS[end]),
+            Some((axis, end)) => inflow(axis, end, name),
             None => format!("reactions_{name}"),
         }
     }
@@ -65,36 +62,21 @@ impl Source {
 /// The balance of each component that something comes from.
 pub(super) fn balance(plan: &Plan, series: &Series) -> Vec<Balance> {
     let sources = Source::all(plan);
-    let last = |name: &str| series.of(name).last().copied().unwrap_or(f64::NAN);
     let of = |component: usize| {
-        let mine = sources
-            .iter()
-            .filter(|source| source.component == component);
-        let total = series.of(&format!("total_{}", plan.names[component]));
-        let (mut walls, mut reactions) = (Vec::new(), None);
-        for source in mine {
-            let value = last(&source.column(&plan.names));
-            match source.wall {
-                Some((axis, end)) => walls.push((format!("{}_{}", AXES[axis], ENDS[end]), value)),
-                None => reactions = Some(value),
-            }
-        }
-        let change = total
-            .last()
-            .zip(total.first())
-            .map_or(f64::NAN, |(b, a)| b - a);
-        let came = walls
-            .iter()
-            .map(|(_, value)| value)
-            .chain(&reactions)
-            .sum::<f64>();
-        Balance {
-            component: plan.names[component].clone(),
-            change,
-            walls: walls.into_iter().collect(),
-            reactions,
-            residual: change - came,
-        }
+        let mine = || {
+            sources
+                .iter()
+                .filter(move |source| source.component == component)
+        };
+        let name = plan.names[component].as_str();
+        let reactions = mine().find(|source| source.wall.is_none());
+        let reactions = reactions.map(|source| source.column(&plan.names));
+        Balance::of(
+            series,
+            (name, &format!("total_{name}")),
+            mine().filter_map(|source| source.wall),
+            reactions.as_deref(),
+        )
     };
     let has_any = |&component: &usize| sources.iter().any(|source| source.component == component);
     (0..plan.names.len()).filter(has_any).map(of).collect()

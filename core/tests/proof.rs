@@ -1,7 +1,10 @@
 //! What is proven to stay in the range of a format does: the twin that marks every overflow finds none
 //! in a step whose sums were proven. And a state beyond the range is refused before it is computed.
 
+mod made;
+
 use fixed::types::extra::U19;
+use made::Made;
 use motes_core::cloud::{Particle, Still};
 use motes_core::cutoff::{CubicSpline, QuinticSpline};
 use motes_core::domain::{Axis, Domain, Side};
@@ -12,7 +15,6 @@ use motes_core::equation::gas::viscosity::{Coefficients, Pairwise};
 use motes_core::equation::gas::{PlainStorage, Stretch, Tube, Width};
 use motes_core::equation::linear::systems::{Acoustics, Transport, Units};
 use motes_core::equation::linear::{LinearDynamics, LinearStorage};
-use motes_core::error::Error;
 use motes_core::integrator::{DiffusionMethod, LeapFrog, RK4, SSP_RK3, Scheme, Stepper};
 use motes_core::neighbours::cell_bound;
 use motes_core::pairs::{HalfLoop, Nothing};
@@ -21,24 +23,6 @@ use motes_core::scalar::{Checked, Q32, Scalar};
 type Q = Q32<U19>;
 const N: usize = 96;
 const CELLS: usize = cell_bound(N as u32) as usize + 1;
-
-/// What became of some steps: proven, refused by a proof, or stopped otherwise.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Made {
-    Steps,
-    Unproven,
-    Overflowed,
-    Stopped,
-}
-
-fn made(result: Result<(), Error>) -> Made {
-    match result {
-        Ok(()) => Made::Steps,
-        Err(Error::Unproven { .. }) => Made::Unproven,
-        Err(Error::NotFinite { .. }) => Made::Overflowed,
-        Err(_) => Made::Stopped,
-    }
-}
 
 /// Steps of a wave between walls with values of that size.
 fn wave<S: Scalar>(size: f64, weight: f64) -> Made {
@@ -58,7 +42,7 @@ fn wave<S: Scalar>(size: f64, weight: f64) -> Made {
     let sound = Acoustics::new(1.0, 1.0, Units::ONE);
     let width = (QuinticSpline, S::from_f64(1.5));
     let dynamics = LinearDynamics::new(domain, width, sound, Still, S::ONE.half());
-    made((|| {
+    Made::from((|| {
         let mut run = Stepper::new(dynamics, RK4, HalfLoop, memory)?;
         for _ in 0..5 {
             run.step()?;
@@ -88,7 +72,7 @@ fn spring<S: Scalar>(source: f64) -> Made {
     };
     let width = (QuinticSpline, S::from_f64(1.5));
     let dynamics = LinearDynamics::new(domain, width, made_here, Still, S::ONE.half());
-    made((|| {
+    Made::from((|| {
         let mut run = Stepper::new(dynamics, SSP_RK3, HalfLoop, memory)?;
         run.advance_to(S::from_f64(0.001))
     })())
@@ -123,7 +107,7 @@ fn wall<S: Scalar>(diffusivity: f64, drive: DrivenCondition<'static, S>, form: F
         scheme: Scheme::RungeKutta(SSP_RK3),
         longest: S::ONE,
     };
-    made((|| {
+    Made::from((|| {
         let mut run = Stepper::new(dynamics, method, HalfLoop, memory)?;
         for _ in 0..5 {
             run.step()?;
@@ -166,7 +150,7 @@ fn tube<S: Scalar>(energy: f64, velocity: f64, contrast: u32) -> Made {
     let gas = tube.solver::<S, _, _>(CubicSpline, viscosity, &materials);
     let mut memory = PlainStorage::<S, 1, 128, { cell_bound(128) as usize + 1 }>::new();
     tube.fill(|particle| memory.push(particle)).unwrap();
-    made((|| {
+    Made::from((|| {
         let mut run = Stepper::new(gas, LeapFrog, HalfLoop, memory)?;
         for _ in 0..5 {
             run.step()?;

@@ -3,7 +3,10 @@
 
 use std::f64::consts::PI;
 
+mod made;
+
 use fixed::types::extra::{U16, U19, U32};
+use made::Made;
 use motes_core::cutoff::WendlandC2;
 use motes_core::digest::Digest;
 use motes_core::domain::{Axis, Domain};
@@ -11,7 +14,6 @@ use motes_core::equation::gas::viscosity::Inviscid;
 use motes_core::equation::gas::{
     Diffusion, Gas, GasDynamics, Options, OptionsStorage, Particle, Width,
 };
-use motes_core::error::Error;
 use motes_core::integrator::{LeapFrog, Stepper};
 use motes_core::material::Isothermal;
 use motes_core::neighbours::cell_bound;
@@ -124,26 +126,12 @@ fn a_shear_wave_between_walls_decays_by_the_viscosity_in_every_scalar() {
     }
 }
 
-/// What became of some steps.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Made {
-    Steps,
-    Unproven,
-    Overflowed,
-    Stopped,
-}
-
 fn steps<S: Scalar>(amplitude: f64, diffusion: [f64; 2]) -> Made {
     let material = [Isothermal::new(0.125)];
     let dynamics = plane::<S>(&material, diffusion);
     let made = Stepper::new(dynamics, LeapFrog, HalfLoop, memory::<S>(amplitude))
         .and_then(|mut run| (0..3).try_for_each(|_| run.step().map(|_| ())));
-    match made {
-        Ok(()) => Made::Steps,
-        Err(Error::Unproven { .. }) => Made::Unproven,
-        Err(Error::NotFinite { .. }) => Made::Overflowed,
-        Err(_) => Made::Stopped,
-    }
+    Made::from(made)
 }
 
 #[test]

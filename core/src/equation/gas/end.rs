@@ -5,14 +5,14 @@ use crate::scalar::Scalar;
 
 /// An open side, and where it is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct End<S> {
+pub(super) struct OpenEnd<S> {
     /// Which one.
     pub side: Passed,
     /// Where.
     pub position: S,
 }
 
-impl<S: Scalar> End<S> {
+impl<S: Scalar> OpenEnd<S> {
     /// The two ends of a direction.
     pub fn both(axis: usize, of: &Axis<S>) -> [Self; 2] {
         let end = |end, position| Self {

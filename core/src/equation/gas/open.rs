@@ -29,7 +29,7 @@ use crate::domain::Domain;
 use crate::error::Error;
 use crate::scalar::Scalar;
 
-use super::end::End;
+use super::end::OpenEnd;
 use super::far::Far;
 use super::inflow::{Inflow, Rear};
 use super::state::{Gas, Particle};
@@ -115,16 +115,16 @@ impl<S: Scalar, const D: usize> Opening<'_, S, D> {
     }
 
     /// The sides with their zones; none where the domain has no such direction.
-    fn ends(&self, domain: &Domain<S, D>) -> impl Iterator<Item = (End<S>, &Zone<'_, S, D>)> {
+    fn ends(&self, domain: &Domain<S, D>) -> impl Iterator<Item = (OpenEnd<S>, &Zone<'_, S, D>)> {
         let axis = domain.axes.get(self.axis);
         axis.into_iter()
-            .flat_map(|axis| End::both(self.axis, axis).into_iter().zip(&self.zones))
+            .flat_map(|axis| OpenEnd::both(self.axis, axis).into_iter().zip(&self.zones))
     }
 }
 
 /// Puts the image of a particle beyond the side.
 fn mirror<S: Scalar, const D: usize>(
-    end: &End<S>,
+    end: &OpenEnd<S>,
     depth: S,
     id: usize,
     cloud: &mut impl Cloud<S, D>,
@@ -144,7 +144,7 @@ fn mirror<S: Scalar, const D: usize>(
 }
 
 /// Removes what is at the far end of an outflow's zone.
-fn release<S: Scalar, const D: usize>(end: &End<S>, depth: S, cloud: &mut impl Cloud<S, D>) {
+fn release<S: Scalar, const D: usize>(end: &OpenEnd<S>, depth: S, cloud: &mut impl Cloud<S, D>) {
     let mut id = 0;
     loop {
         let gas = cloud.gas();
@@ -159,7 +159,7 @@ fn release<S: Scalar, const D: usize>(end: &End<S>, depth: S, cloud: &mut impl C
 
 /// Holds an inflow's zone to its state.
 fn hold<S: Scalar, const D: usize>(
-    end: &End<S>,
+    end: &OpenEnd<S>,
     inflow: &Inflow<'_, S, D>,
     gas: &mut Gas<'_, S, D>,
 ) -> Rear<S, D> {
@@ -186,7 +186,7 @@ fn hold<S: Scalar, const D: usize>(
 
 /// Lets layers enter at the rear of an inflow's zone.
 fn refill<S: Scalar, const D: usize>(
-    end: &End<S>,
+    end: &OpenEnd<S>,
     inflow: &Inflow<'_, S, D>,
     rear: &Rear<S, D>,
     cloud: &mut impl Cloud<S, D>,

@@ -9,7 +9,7 @@
 
 use crate::scalar::Scalar;
 
-use super::end::End;
+use super::end::OpenEnd;
 use super::far::Far;
 use super::inflow::{Inflow, Rear};
 use super::state::{Gas, Particle};
@@ -30,7 +30,7 @@ impl<S: Scalar> Far<S> {
     /// Makes the particles of each row of an inflow's zone alike; returns its rear.
     pub(super) fn level<const D: usize>(
         &self,
-        end: &End<S>,
+        end: &OpenEnd<S>,
         inflow: &Inflow<'_, S, D>,
         gas: &mut Gas<'_, S, D>,
     ) -> Rear<S, D> {
@@ -51,7 +51,7 @@ impl<S: Scalar> Far<S> {
     /// The rear of a zone whose last row has that w.
     fn rear<const D: usize>(
         &self,
-        end: &End<S>,
+        end: &OpenEnd<S>,
         inflow: &Inflow<'_, S, D>,
         distance: S,
         excess: S,
@@ -74,7 +74,12 @@ impl<S: Scalar> Far<S> {
 
     /// The row in a range of distances; running means, since in fixed point a sum of many could
     /// leave the range of the format.
-    fn rank<const D: usize>(&self, end: &End<S>, range: [S; 2], gas: &Gas<'_, S, D>) -> Rank<S> {
+    fn rank<const D: usize>(
+        &self,
+        end: &OpenEnd<S>,
+        range: [S; 2],
+        gas: &Gas<'_, S, D>,
+    ) -> Rank<S> {
         let mut rank = Rank {
             range,
             distance: range[0],
@@ -112,7 +117,7 @@ impl<S: Scalar> Rank<S> {
     /// Gives all particles of the row the same velocity, energy and acceleration.
     fn align<const D: usize>(
         &self,
-        end: &End<S>,
+        end: &OpenEnd<S>,
         particle: &Particle<S, D>,
         gas: &mut Gas<'_, S, D>,
     ) {

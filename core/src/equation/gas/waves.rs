@@ -8,7 +8,7 @@ use crate::scalar::Scalar;
 
 use super::density::DensityNode;
 use super::dynamics::GasDynamics;
-use super::end::End;
+use super::end::OpenEnd;
 use super::far::Far;
 use super::node::GasSums;
 use super::physics::Physics;
@@ -106,7 +106,7 @@ where
     fn place(&self, position: &[S; D]) -> Option<Place<'_, S>> {
         let (_, side) = self.domain.passed(position)?;
         let far = self.physics.plain().far.get(side.end)?.as_ref()?;
-        let [lower, upper] = End::both(side.axis, self.domain.axes.get(side.axis)?);
+        let [lower, upper] = OpenEnd::both(side.axis, self.domain.axes.get(side.axis)?);
         let end = if side.end == 0 { lower } else { upper };
         far.is_subsonic().then(|| Place {
             far,

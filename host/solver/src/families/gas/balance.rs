@@ -62,11 +62,10 @@ fn place<S: Scalar, const D: usize>(domain: &Domain<S, D>, position: &[S; D]) ->
 
 /// The sides that are open, by direction and end.
 fn open_sides(opening: Option<&OpenSides>) -> impl Iterator<Item = (usize, usize)> {
-    let sides = opening.into_iter().flat_map(|opening| {
+    opening.into_iter().flat_map(|opening| {
         let is_open = |&end: &usize| opening.zones[end] != OpenZone::Shut;
         (0..2).filter(is_open).map(|end| (opening.axis, end))
-    });
-    sides
+    })
 }
 
 /// The ends of the sides that are open, and the columns that say what came in there.

@@ -105,6 +105,27 @@ pub(super) fn of_gas(root: &Section<'_>, has_exact: bool) -> Result<Vec<Toleranc
     tolerances(root, has_exact, &names)
 }
 
+/// Refuses bounds of velocities about a center where there is none.
+pub(super) fn check_center(root: &Section<'_>, has_center: bool) -> Result<(), Fault> {
+    let Some(entry) = root.optional(TOLERANCE).filter(|_| !has_center) else {
+        return Ok(());
+    };
+    let section = entry.section()?;
+    let about = [Field::VelocityRadial, Field::VelocityAzimuthal];
+    match about
+        .iter()
+        .find_map(|field| section.optional(field.name()))
+    {
+        None => Ok(()),
+        Some(entry) => {
+            let reason = "the solution is not round about a point".to_owned();
+            let cure = "give a bound of `velocity`; vortices, Noh's and Sedov's problems in two and three \
+                        dimensions have a center";
+            Err(entry.does_not_fit(reason, cure))
+        }
+    }
+}
+
 /// `[tolerance]`: those of each field in the order of `fields` and [`NORMS`].
 pub(super) fn tolerances<F: Copy>(
     root: &Section<'_>,

@@ -103,6 +103,27 @@ impl Scenario {
     pub fn riemann_direction(&self) -> Option<usize> {
         region::riemann_direction(&self.regions).ok()
     }
+
+    /// The point around which the solution is round, with zeros beyond the dimension; `None` in one
+    /// dimension, and of what is not.
+    pub fn center(&self) -> Option<[f64; 3]> {
+        if self.dimension == 1 {
+            return None;
+        }
+        match (self.output.exact, &self.profile) {
+            (Some(Exact::Sedov), _) => {
+                let center = &self.deposits.first()?.ball.center;
+                Some(std::array::from_fn(|i| {
+                    center.get(i).copied().unwrap_or(0.0)
+                }))
+            }
+            (_, Some(Profile::Noh { .. })) => Some([0.0; 3]),
+            (_, Some(Profile::YeeVortex { velocity, .. } | Profile::Gresho { velocity, .. })) => {
+                velocity.iter().all(|&u| u == 0.0).then_some([0.0; 3])
+            }
+            _ => None,
+        }
+    }
 }
 
 /// The scenario of a text.
@@ -128,7 +149,7 @@ pub(super) fn scenario(
     }
     let output = output::output(root, &domain.extent, &gas)?;
     inflow::check_output(root, &domain, &output)?;
-    Ok(Scenario {
+    let scenario = Scenario {
         name: heading.name,
         description: heading.description,
         dimension,
@@ -151,7 +172,9 @@ pub(super) fn scenario(
         tolerances: tolerance::of_gas(root, output.exact.is_some())?,
         output,
         text: text.to_owned(),
-    })
+    };
+    tolerance::check_center(root, scenario.center().is_some())?;
+    Ok(scenario)
 }
 
 /// What there is at t = 0.

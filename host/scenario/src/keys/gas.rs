@@ -167,6 +167,10 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
             key("velocity", "[tolerance.velocity]"),
             key("pressure", "[tolerance.pressure]"),
             key("energy", "[tolerance.energy]"),
+            key("momentum", "[tolerance.momentum]"),
+            key("total_energy", "[tolerance.total_energy]"),
+            key("velocity_radial", "[tolerance.velocity_radial]"),
+            key("velocity_azimuthal", "[tolerance.velocity_azimuthal]"),
         ],
     ),
 ];

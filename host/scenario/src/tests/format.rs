@@ -716,3 +716,39 @@ fn the_example_of_the_page_reads() {
     assert_eq!(scenario.regions[2].material, 1);
     assert_eq!(scenario.resolution.share, Share::Volume);
 }
+
+/// Of every field in every norm, in `--set` as in a file; about a center only where there is one.
+#[test]
+fn tolerances_take_every_field_and_norm_that_json_gives() {
+    let fields = [
+        "density",
+        "velocity",
+        "pressure",
+        "energy",
+        "momentum",
+        "total_energy",
+        "velocity_radial",
+        "velocity_azimuthal",
+    ];
+    let norms = ["l1", "l2", "linf", "mean", "rms", "relative_l1", "mass_l1"];
+    let of = |field: &str| {
+        let values = norms.map(|norm| format!("{norm} = 0.5"));
+        format!(
+            "tolerance.{field}={{ {}, reason = 'why' }}",
+            values.join(", ")
+        )
+    };
+    let all = fields.map(of);
+    let gresho = Scenario::read(Source::from("gresho"), &all).unwrap();
+    assert_eq!(gresho.tolerances.len(), fields.len() * norms.len());
+    let told: Vec<_> = gresho.tolerances.iter().map(|t| t.field.name()).collect();
+    assert!(fields.iter().all(|field| told.contains(field)), "{told:?}");
+    for field in ["velocity_radial", "velocity_azimuthal"] {
+        let error = sod(&[&of(field)]).unwrap_err();
+        assert_report_holds(
+            &error,
+            &["not round about a point", "give a bound of `velocity`"],
+        );
+    }
+    assert!(sod(&[&of("momentum")]).is_ok());
+}

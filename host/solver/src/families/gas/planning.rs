@@ -12,8 +12,7 @@ use super::plan::Plan;
 use crate::families::PlanError;
 use crate::run::{Abscissa, check_memory};
 use crate::scenario::{
-    self, Arrangement, EnergyRule, EquationOfState, Exact, Profile, Scenario, Share, ViscosityKind,
-    fineness,
+    self, Arrangement, EnergyRule, EquationOfState, Scenario, Share, ViscosityKind, fineness,
 };
 use crate::setup::{self, Placed};
 use crate::sums::compensated;
@@ -118,19 +117,10 @@ const FULL: f64 = 0.9;
 
 /// The direction in which a solution varies; the distance from its centre where it is round.
 fn abscissa(scenario: &Scenario) -> Abscissa {
-    if scenario.dimension == 1 {
-        return Abscissa::Along(0);
-    }
-    let spread = |at: &[f64]| std::array::from_fn(|i| at.get(i).copied().unwrap_or(0.0));
-    match (scenario.output.exact, &scenario.profile) {
-        (Some(Exact::Sedov), _) => Abscissa::From(spread(&scenario.deposits[0].ball.center)),
-        (_, Some(Profile::Noh { .. })) => Abscissa::From([0.0; 3]),
-        (_, Some(Profile::YeeVortex { velocity, .. } | Profile::Gresho { velocity, .. }))
-            if velocity.iter().all(|&u| u == 0.0) =>
-        {
-            Abscissa::From([0.0; 3])
-        }
-        _ => Abscissa::Along(scenario.riemann_direction().unwrap_or(0)),
+    match scenario.center() {
+        Some(center) => Abscissa::From(center),
+        None if scenario.dimension == 1 => Abscissa::Along(0),
+        None => Abscissa::Along(scenario.riemann_direction().unwrap_or(0)),
     }
 }
 

@@ -15,7 +15,35 @@ pub(super) fn doubts(scenario: &Scenario, placed: &[Placed]) -> Vec<String> {
     starved
         .chain(uneven_walls(scenario))
         .chain(melting(scenario))
+        .chain(other_equations(scenario))
         .collect()
+}
+
+/// A solution of Euler's equations beside a run of others: what those do counts as an error.
+fn other_equations(scenario: &Scenario) -> Option<String> {
+    scenario.output.exact?;
+    let diffusion = &scenario.diffusion;
+    let diffuses = [
+        diffusion.viscosity,
+        diffusion.bulk_viscosity,
+        diffusion.heat,
+    ]
+    .iter()
+    .any(|&diffusivity| diffusivity > 0.0);
+    let is_heavy = scenario
+        .acceleration
+        .iter()
+        .any(|&component| component != 0.0);
+    let what = match (diffuses, is_heavy) {
+        (true, false) => "[diffusion]",
+        (false, true) => "[force]",
+        (true, true) => "[diffusion] and [force]",
+        (false, false) => return None,
+    };
+    Some(format!(
+        "output.exact is of a gas without {what}: the errors count what that does; take output.exact or \
+         {what} out"
+    ))
 }
 
 /// Regions that are but a few spacings wide, and have larger ones than others: where all are alike, that
@@ -136,6 +164,19 @@ mod tests {
         let thin = ["region.1.density=0.1", "resolution.share=mass"];
         let ball = told("wind-tunnel", &thin);
         assert!(ball.contains("region 1 is"), "{ball}");
+    }
+
+    #[test]
+    fn a_solution_of_other_equations_is_told() {
+        let told = |changes: &[&str]| told("sod", changes);
+        let viscous = told(&["diffusion.viscosity=0.001"]);
+        assert!(
+            viscous.contains("without [diffusion]: the errors"),
+            "{viscous}"
+        );
+        let both = ["diffusion.heat=0.001", "force.acceleration=[1.0]"];
+        assert!(told(&both).contains("without [diffusion] and [force]"));
+        assert!(told(&["diffusion.viscosity=0"]).is_empty());
     }
 
     #[test]

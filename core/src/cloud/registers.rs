@@ -46,26 +46,26 @@ pub struct Start<S: Scalar, const D: usize, const P: usize> {
     pub position: [S; D],
     /// Its weight.
     pub weight: S,
+    /// What rounding had kept from its position.
+    pub position_remainder: [S; D],
+    /// What rounding had kept from its weight.
+    pub weight_remainder: S,
     /// Its strength.
     pub strength: [S::Wide; P],
 }
 
 /// Remembers a state as the start of a step.
 pub(crate) fn remember<S: Scalar, const D: usize, const P: usize>(
-    state: &State<'_, S, D, P>,
+    state: &mut State<'_, S, D, P>,
     start: &mut [Start<S, D, P>],
 ) -> Result<(), Error> {
     let Some(start) = start.get_mut(..state.len()) else {
         return Err(Error::Lengths);
     };
-    let rows = start.iter_mut().zip(state.position.iter());
-    let rows = rows.zip(state.weight.iter());
-    for (((start, &position), &weight), &strength) in rows.zip(state.strength.iter()) {
-        *start = Start {
-            position,
-            weight,
-            strength,
-        };
+    for (id, start) in start.iter_mut().enumerate() {
+        if let Some(row) = state.row(id) {
+            *start = row.start();
+        }
     }
     Ok(())
 }
@@ -113,12 +113,10 @@ pub(crate) fn put<S: Scalar, const D: usize, const P: usize>(
     per_power: S,
 ) -> Result<(), Error> {
     for (id, (start, rates)) in numbered(start.iter().zip(rates)) {
-        let Some(row) = state.row(id) else { break };
+        let Some(mut row) = state.row(id) else { break };
         if let Some((domain, dt)) = moved {
-            *row.position = start.position;
-            let step = rates.position.map(|a| dt * a);
-            domain.drift(row.position, &step, id as u32)?;
-            *row.weight = start.weight + dt * rates.weight;
+            row.put_back(start);
+            row.carry(domain, dt, (&rates.position, rates.weight), id as u32)?;
         }
         let components = row.strength.iter_mut().zip(&start.strength);
         for ((strength, &q), &rate) in components.zip(&rates.strength) {

@@ -206,6 +206,11 @@ impl<S: Scalar> Scalar for Checked<S> {
     fn wide_bits(wide: CheckedWide<S>) -> u128 {
         S::wide_bits(wide.wide)
     }
+    fn step(self, a: Self, b: Self, left: &mut Self) -> Self {
+        let unlimited = a.value.to_f64() * b.value.to_f64();
+        let step = self.value.step(a.value, b.value, &mut left.value);
+        Self::of(step, unlimited, a.overflowed | b.overflowed)
+    }
     fn near(self) -> Self {
         Self {
             value: self.value.near(),

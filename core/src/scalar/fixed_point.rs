@@ -263,6 +263,14 @@ macro_rules! fixed_point {
                 wide as $wide_unsigned as u128
             }
             #[inline(always)]
+            fn step(self, a: Self, b: Self, left: &mut Self) -> Self {
+                let wide = Self::product(a, b).wrapping_add(left.to_bits() as $wide);
+                let whole = Self::whole(wide);
+                // At most half a unit of the last place.
+                *left = Self::from_bits(wide.wrapping_sub(whole << Self::FRACTION) as $int);
+                Self::from_bits(whole as $int)
+            }
+            #[inline(always)]
             fn near(self) -> Self {
                 Self::from_bits(self.to_bits().clamp(-Self::LIMIT, Self::LIMIT))
             }

@@ -6,7 +6,7 @@ use super::{Number, Scalar};
 extern crate std;
 
 macro_rules! float {
-    ($float:ty, $unsigned:ty, $sqrt:path, $reach:expr, $cells:expr, $extrapolation:expr) => {
+    ($float:ty, $unsigned:ty, $sqrt:path, $reach:expr, $cells:expr, $extrapolation:expr, $carries:expr) => {
         impl Number for $float {
             type Scalar = $float;
             const LANES: usize = 1;
@@ -111,6 +111,15 @@ macro_rules! float {
                 u128::from(wide.to_bits())
             }
             #[inline(always)]
+            fn step(self, a: Self, b: Self, left: &mut Self) -> Self {
+                if !$carries {
+                    return a * b;
+                }
+                let step = a * b + *left;
+                *left = step - ((self + step) - self);
+                step
+            }
+            #[inline(always)]
             fn near(self) -> Self {
                 // Squares of floats within any domain are far from overflow.
                 self
@@ -165,5 +174,5 @@ macro_rules! float {
 }
 
 // f32: an index below 2^16 is off by less than 2 * 2^-24 * 2^16 = 2^-7 of a cell.
-float!(f32, u32, libm::sqrtf, 1e18, 1 << 16, 1.0 / 256.0);
-float!(f64, u64, libm::sqrt, 1e150, 1 << 30, 1.0 / 16384.0);
+float!(f32, u32, libm::sqrtf, 1e18, 1 << 16, 1.0 / 256.0, true);
+float!(f64, u64, libm::sqrt, 1e150, 1 << 30, 1.0 / 16384.0, false);

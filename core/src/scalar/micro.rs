@@ -147,6 +147,10 @@ impl Scalar for Micro {
         f32::wide_bits(wide.0)
     }
     #[inline(always)]
+    fn step(self, a: Self, b: Self, left: &mut Self) -> Self {
+        Self(self.0.step(a.0, b.0, &mut left.0))
+    }
+    #[inline(always)]
     fn near(self) -> Self {
         self
     }

@@ -127,6 +127,12 @@ pub trait Scalar: Number<Scalar = Self> + PartialOrd + Debug + Send + Sync + 'st
     fn wide_to_f64(wide: Self::Wide) -> f64;
     /// The bit pattern of a sum of products, for digests.
     fn wide_bits(wide: Self::Wide) -> u128;
+    /// The step `a b` of a sum that is made of many, `self` so far, with what rounding has kept from it,
+    /// `left`, which becomes what rounding keeps from it now (Kahan, Comm. ACM 8, 40, 1965).
+    ///
+    /// In fixed point `left` counts in the last place of a product, exactly; in `f64` it stays 0: there a
+    /// step has digits enough.
+    fn step(self, a: Self, b: Self, left: &mut Self) -> Self;
     /// A component of a displacement, cut off at ±[`Scalar::REACH_LIMIT`].
     fn near(self) -> Self;
 

@@ -63,6 +63,8 @@ where
             let particle = particle as u32;
             return Err(Error::Material { particle });
         }
+        gas.position_remainder.fill([S::ZERO; D]);
+        gas.velocity_remainder.fill([S::ZERO; D]);
         gas.force.fill([S::ZERO; D]);
         gas.power.fill(S::ZERO);
         gas.heat.fill(S::ZERO);

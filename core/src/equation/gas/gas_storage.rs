@@ -52,6 +52,8 @@ pub struct GasStorage<
 struct Arrays<S, const D: usize, const N: usize> {
     position: Vec<[S; D], N>,
     velocity: Vec<[S; D], N>,
+    position_remainder: [[S; D]; N],
+    velocity_remainder: [[S; D]; N],
     energy: Vec<S, N>,
     mass: Vec<S, N>,
     epsilon: Vec<S, N>,
@@ -73,6 +75,8 @@ impl<S: Scalar, const D: usize, const N: usize> Arrays<S, D, N> {
         Self {
             position: Vec::new(),
             velocity: Vec::new(),
+            position_remainder: [[S::ZERO; D]; N],
+            velocity_remainder: [[S::ZERO; D]; N],
             energy: Vec::new(),
             mass: Vec::new(),
             epsilon: Vec::new(),
@@ -95,6 +99,8 @@ impl<S: Scalar, const D: usize, const N: usize> Arrays<S, D, N> {
         Gas {
             position: &mut self.position,
             velocity: &mut self.velocity,
+            position_remainder: self.position_remainder.get_mut(..n).unwrap_or(&mut []),
+            velocity_remainder: self.velocity_remainder.get_mut(..n).unwrap_or(&mut []),
             energy: &mut self.energy,
             mass: &mut self.mass,
             material: &mut self.material,
@@ -222,6 +228,8 @@ impl<S: Scalar, X: Fields<S>, const D: usize, const N: usize, const G: usize, co
         let id = self.arrays.mass.len();
         self.push(particle)?;
         put(&mut self.arrays.density, id, density);
+        put(&mut self.arrays.position_remainder, id, [S::ZERO; D]);
+        put(&mut self.arrays.velocity_remainder, id, [S::ZERO; D]);
         put(&mut self.arrays.force, id, [S::ZERO; D]);
         put(&mut self.arrays.power, id, S::ZERO);
         put(&mut self.arrays.heat, id, S::ZERO);
@@ -263,8 +271,14 @@ impl<S: Scalar, X: Fields<S>, const D: usize, const N: usize, const G: usize, co
                 put(array, id, value);
             }
         }
-        if let Some(&force) = self.arrays.force.get(last) {
-            put(&mut self.arrays.force, id, force);
+        for array in [
+            &mut self.arrays.position_remainder,
+            &mut self.arrays.velocity_remainder,
+            &mut self.arrays.force,
+        ] {
+            if let Some(&value) = array.get(last) {
+                put(array, id, value);
+            }
         }
     }
 }

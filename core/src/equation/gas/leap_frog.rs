@@ -62,18 +62,23 @@ where
             .position
             .iter_mut()
             .zip(gas.velocity.iter_mut())
+            .zip(gas.position_remainder.iter_mut())
+            .zip(gas.velocity_remainder.iter_mut())
             .zip(gas.force.iter_mut())
             .zip(gas.mass.iter());
-        for (id, (((position, velocity), force), &mass)) in numbered(particles) {
+        for (id, (((((position, velocity), left), slower), force), &mass)) in numbered(particles) {
             let mut step = *velocity;
-            for (component, &force) in step.iter_mut().zip(force.iter()) {
-                *component = dt * (*component + half * (force / mass));
+            for i in 0..D {
+                let speed = velocity[i] + half * (force[i] / mass);
+                step[i] = position[i].step(dt, speed, &mut left[i]);
             }
             let reflected = self.domain.drift(position, &step, id as u32)?;
-            let components = velocity.iter_mut().zip(force.iter_mut()).zip(reflected);
-            for ((velocity, force), reflected) in components {
-                if reflected {
-                    (*velocity, *force) = (-*velocity, -*force);
+            for i in 0..D {
+                if reflected[i] {
+                    velocity[i] = -velocity[i];
+                    left[i] = -left[i];
+                    slower[i] = -slower[i];
+                    force[i] = -force[i];
                 }
             }
         }
@@ -156,15 +161,12 @@ impl<S: Scalar, const D: usize> Row<'_, S, D> {
     #[inline(always)]
     pub(super) fn kick(&mut self, dt: S, force: [S; D]) {
         let half = dt.half();
-        let components = self
-            .velocity
-            .iter_mut()
-            .zip(self.force.iter_mut())
-            .zip(force);
-        for ((u, old), new) in components {
-            *u += half * (*old / self.mass);
-            *u += half * (new / self.mass);
-            *old = new;
+        for i in 0..D {
+            let u = &mut self.velocity[i];
+            for force in [self.force[i], force[i]] {
+                *u += u.step(half, force / self.mass, &mut self.velocity_remainder[i]);
+            }
+            self.force[i] = force[i];
         }
     }
 

@@ -47,6 +47,10 @@ pub struct Gas<'a, S, const D: usize> {
     pub position: &'a mut [[S; D]],
     /// `u`.
     pub velocity: &'a mut [[S; D]],
+    /// What rounding has kept from the positions so far: [`Scalar::step`].
+    pub position_remainder: &'a mut [[S; D]],
+    /// The same of the velocities.
+    pub velocity_remainder: &'a mut [[S; D]],
     /// `e`, internal energy per mass.
     pub energy: &'a mut [S],
     /// `m`; never changes.
@@ -85,6 +89,7 @@ pub struct Gas<'a, S, const D: usize> {
 pub(super) struct Row<'a, S, const D: usize> {
     pub(super) position: &'a [S; D],
     pub(super) velocity: &'a mut [S; D],
+    pub(super) velocity_remainder: &'a mut [S; D],
     pub(super) energy: &'a mut S,
     pub(super) mass: S,
     pub(super) material: u8,
@@ -115,6 +120,8 @@ columns! {
     impl [const D: usize] Gas<'_, S, D> {
         position: vectors, Position, Directions, Unit::LENGTH, State;
         velocity: vectors, Vector, Directions, Unit::VELOCITY, State;
+        position_remainder: vectors, Vector, Directions, Unit::LENGTH, Carried;
+        velocity_remainder: vectors, Vector, Directions, Unit::VELOCITY, Carried;
         energy: scalars, Scalar, One, Unit::VELOCITY.times(Unit::VELOCITY), State;
         mass: scalars, Scalar, One, Unit::MASS, State;
         material: integers, Integer, One, Unit::NONE, Carried;
@@ -165,7 +172,13 @@ impl<S: Scalar, const D: usize> Gas<'_, S, D> {
     /// Whether all arrays have the same length.
     pub(super) fn is_consistent(&self) -> bool {
         let n = self.mass.len();
-        let vectors = [self.position.len(), self.velocity.len(), self.force.len()];
+        let vectors = [
+            self.position.len(),
+            self.velocity.len(),
+            self.position_remainder.len(),
+            self.velocity_remainder.len(),
+            self.force.len(),
+        ];
         let scalars = [
             self.energy.len(),
             self.epsilon.len(),
@@ -203,6 +216,7 @@ impl<S: Scalar, const D: usize> Gas<'_, S, D> {
         Some(Row {
             position: self.position.get(id)?,
             velocity: self.velocity.get_mut(id)?,
+            velocity_remainder: self.velocity_remainder.get_mut(id)?,
             energy: self.energy.get_mut(id)?,
             mass: *self.mass.get(id)?,
             material: *self.material.get(id)?,
@@ -279,6 +293,8 @@ impl<S: Scalar, const D: usize> Row<'_, S, D> {
 pub struct Before<S, const D: usize> {
     position: [S; D],
     velocity: [S; D],
+    position_remainder: [S; D],
+    velocity_remainder: [S; D],
     force: [S; D],
     /// Energy, ε, density, power, heat, slope, factor, divergence, approach, signal, neighbours.
     scalars: [S; 11],
@@ -290,6 +306,8 @@ impl<S: Scalar, const D: usize> Gas<'_, S, D> {
         Some(Before {
             position: *self.position.get(id)?,
             velocity: *self.velocity.get(id)?,
+            position_remainder: *self.position_remainder.get(id)?,
+            velocity_remainder: *self.velocity_remainder.get(id)?,
             force: *self.force.get(id)?,
             scalars: [
                 *self.energy.get(id)?,
@@ -312,6 +330,8 @@ impl<S: Scalar, const D: usize> Gas<'_, S, D> {
         let vectors = [
             (&mut *self.position, before.position),
             (&mut *self.velocity, before.velocity),
+            (&mut *self.position_remainder, before.position_remainder),
+            (&mut *self.velocity_remainder, before.velocity_remainder),
             (&mut *self.force, before.force),
         ];
         for (array, value) in vectors {

@@ -22,6 +22,8 @@ pub struct GasArrays<S: Scalar, X: Fields<S>, const D: usize> {
     pub(super) epsilon: Vec<S>,
     pub(super) material: Vec<u8>,
     pub(super) density: Vec<S>,
+    position_remainder: Vec<[S; D]>,
+    velocity_remainder: Vec<[S; D]>,
     force: Vec<[S; D]>,
     power: Vec<S>,
     heat: Vec<S>,
@@ -56,7 +58,7 @@ impl<S: Scalar, X: Fields<S>, const D: usize> GasArrays<S, X, D> {
     pub fn bytes_per_particle(options: &Options<S, D>) -> usize {
         let gradients = size_of::<GradientNode<S, D>>()
             + size_of::<Settled<GradientNode<S, D>, GradientSums<S, D>>>();
-        size_of::<[S; D]>() * 3
+        size_of::<[S; D]>() * 5
             + size_of::<S>() * 11
             + size_of::<Site<S, D>>()
             + size_of::<u32>() * (6 + 16)
@@ -83,6 +85,8 @@ impl<S: Scalar, X: Fields<S>, const D: usize> GasArrays<S, X, D> {
             epsilon: scalars(),
             material: Vec::with_capacity(most),
             density: Vec::new(),
+            position_remainder: Vec::new(),
+            velocity_remainder: Vec::new(),
             force: Vec::new(),
             power: Vec::new(),
             heat: Vec::new(),
@@ -107,6 +111,8 @@ impl<S: Scalar, X: Fields<S>, const D: usize> GasArrays<S, X, D> {
         // What they come from is gone before the workspace is there.
         particles.for_each(|particle| arrays.put(&particle));
         let n = arrays.mass.len();
+        arrays.position_remainder.resize(n, [S::ZERO; D]);
+        arrays.velocity_remainder.resize(n, [S::ZERO; D]);
         arrays.force.resize(n, [S::ZERO; D]);
         arrays.density.resize(n, S::ZERO);
         for array in arrays.made() {
@@ -168,6 +174,8 @@ impl<S: Scalar, X: Fields<S>, const D: usize> GasArrays<S, X, D> {
             material: &mut self.material,
             epsilon: &mut self.epsilon,
             density: &mut self.density,
+            position_remainder: &mut self.position_remainder,
+            velocity_remainder: &mut self.velocity_remainder,
             force: &mut self.force,
             power: &mut self.power,
             heat: &mut self.heat,
@@ -214,6 +222,8 @@ impl<S: Scalar, X: Fields<S>, const D: usize> Cloud<S, D> for GasArrays<S, X, D>
         }
         self.put(&particle);
         self.density.push(density);
+        self.position_remainder.push([S::ZERO; D]);
+        self.velocity_remainder.push([S::ZERO; D]);
         self.force.push([S::ZERO; D]);
         for array in self.made() {
             array.push(S::ZERO);
@@ -232,6 +242,8 @@ impl<S: Scalar, X: Fields<S>, const D: usize> Cloud<S, D> for GasArrays<S, X, D>
         self.position.swap_remove(id);
         self.velocity.swap_remove(id);
         self.material.swap_remove(id);
+        self.position_remainder.swap_remove(id);
+        self.velocity_remainder.swap_remove(id);
         self.force.swap_remove(id);
         for array in [
             &mut self.energy,

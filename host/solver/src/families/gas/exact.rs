@@ -187,7 +187,7 @@ const ENDS: [&str; 2] = ["lower", "upper"];
 
 /// The solution of a scenario's Riemann problem, where its two regions meet, and across which
 /// direction; `swapped`: with the gases on each other's side.
-fn riemann(
+pub(super) fn riemann(
     scenario: &Scenario,
     swapped: bool,
 ) -> Result<(RiemannSolution, f64, [f64; 3]), RiemannError> {

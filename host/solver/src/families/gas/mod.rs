@@ -1,6 +1,7 @@
 //! Gas dynamics.
 
 mod balance;
+mod contact;
 mod description;
 mod doubts;
 mod exact;

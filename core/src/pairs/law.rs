@@ -3,7 +3,7 @@
 use crate::cutoff::{CutOff, Needs, Parts, Peaks, Shape, Shapes};
 use crate::domain::Wall;
 use crate::error::{Error, Quantity};
-use crate::neighbours::{Cells, code};
+use crate::neighbours::{Cells, Image, code};
 use crate::numbered::numbered;
 use crate::scalar::enclosure::worse;
 use crate::scalar::{Enclosure, Number, Scalar};
@@ -98,6 +98,21 @@ pub trait Law<S: Scalar, const D: usize>: Sync {
         to_l: &mut <Self::Sums as Fields<S>>::Of<N>,
     );
 
+    /// Adds the term of a pair whose `l` is the image of a particle in walls, as [`Law::reflected`] has it:
+    /// that of [`Law::pair`], unless there is something that no mirror shows.
+    #[inline(always)]
+    fn pair_behind<N: Number<Scalar = S>>(
+        &self,
+        [k, l]: [&<Self::Node as Fields<S>>::Of<N>; 2],
+        image: &Image<D>,
+        apart: &Separation<N, D>,
+        to_k: &mut <Self::Sums as Fields<S>>::Of<N>,
+        to_l: &mut <Self::Sums as Fields<S>>::Of<N>,
+    ) {
+        let _ = image;
+        self.pair(k, l, apart, to_k, to_l);
+    }
+
     /// Looks at a particle's sums: `true` when they are final; `false` to have them made
     /// again with the node that it changed. A law that does so bounds its passes itself.
     fn close(&self, node: &mut Self::Node, sums: &Self::Sums) -> bool {
@@ -176,7 +191,7 @@ pub fn by_intervals_of<S: Scalar, const D: usize, W: Law<S, D>>(
     let worst = |k: &<W::Node as Fields<S>>::Of<Enclosure<S>>| {
         let mut sums = [W::Sums::ZERO.splat::<Enclosure<S>>(); 2];
         let [to_k, to_l] = &mut sums;
-        pair_over(law, [k, &hull], &apart, [to_k, to_l]);
+        pair_over(law, [k, &hull], &Image::SELF, &apart, [to_k, to_l]);
         let (mut worst, partners) = (0.0f32, ground.partners as f32);
         for of in &sums {
             W::Sums::ZERO.each::<Enclosure<S>>(of, &mut |sum| {
@@ -237,7 +252,8 @@ pub fn by_pairs<S: Scalar, const D: usize, W: Law<S, D>>(
             let apart = Separation::of(law, ends, partner.r, partner.distance_squared).enclosed();
             let l = shown.splat::<Enclosure<S>>();
             let mut to_l = W::Sums::ZERO.splat::<Enclosure<S>>();
-            pair_over(law, [&k, &l], &apart, [&mut to_k, &mut to_l]);
+            let to = [&mut to_k, &mut to_l];
+            pair_over(law, [&k, &l], &partner.image, &apart, to);
             W::Sums::ZERO.each::<Enclosure<S>>(&to_l, &mut |sum| term = worse(term, sum.worst));
         };
         each_partner(cells, place, &mut add);
@@ -248,15 +264,16 @@ pub fn by_pairs<S: Scalar, const D: usize, W: Law<S, D>>(
     ground.holds(W::MAKES, largest)
 }
 
-/// [`Law::pair`] over intervals: a function of its own, as it is long and no loop has to have it.
+/// [`Law::pair_behind`] over intervals: a function of its own, as it is long and no loop has to have it.
 #[inline(never)]
 fn pair_over<S: Scalar, const D: usize, W: Law<S, D>>(
     law: &W,
-    [k, l]: [&<W::Node as Fields<S>>::Of<Enclosure<S>>; 2],
+    pair: [&<W::Node as Fields<S>>::Of<Enclosure<S>>; 2],
+    image: &Image<D>,
     apart: &Separation<Enclosure<S>, D>,
     [to_k, to_l]: [&mut <W::Sums as Fields<S>>::Of<Enclosure<S>>; 2],
 ) {
-    law.pair(k, l, apart, to_k, to_l);
+    law.pair_behind(pair, image, apart, to_k, to_l);
 }
 
 /// Adds what is seen behind walls.

@@ -18,6 +18,6 @@ pub(super) fn mirror_terms<S: Scalar, const D: usize, W: Law<S, D>>(
     sums: &mut <W::Sums as Fields<S>>::Of<S>,
 ) {
     mirror_runs(cells, cell, |run| {
-        run_terms(law, cells, nodes, site, node, run, sums);
+        run_terms::<S, D, W, true>(law, cells, nodes, site, node, run, sums);
     });
 }

@@ -47,7 +47,7 @@ pub fn receive_at<S: Scalar, const D: usize, W: Law<S, D>>(
     loop {
         let mut sums = W::Sums::ZERO.splat::<S>();
         for run in &runs {
-            run_terms(law, cells, nodes, site, &settled.node, run, &mut sums);
+            run_terms::<S, D, W, false>(law, cells, nodes, site, &settled.node, run, &mut sums);
         }
         mirror_terms(law, cells, nodes, site, &cell, &settled.node, &mut sums);
         settled.sums = W::Sums::lane::<S>(&sums, 0);

@@ -6,9 +6,9 @@ use crate::neighbours::{Cells, Run, Site, code};
 use crate::numbered::numbered;
 use crate::scalar::{Number, Scalar};
 
-/// Adds the terms of one run to the sums of a receiver at `site`.
+/// Adds the terms of one run to the sums of a receiver at `site`; `MIRRORED`: a run behind walls.
 #[inline(always)]
-pub(super) fn run_terms<S: Scalar, const D: usize, W: Law<S, D>>(
+pub(super) fn run_terms<S: Scalar, const D: usize, W: Law<S, D>, const MIRRORED: bool>(
     law: &W,
     cells: &Cells<'_, S, D>,
     nodes: &[W::Node],
@@ -33,7 +33,10 @@ pub(super) fn run_terms<S: Scalar, const D: usize, W: Law<S, D>>(
         if distance_squared < Number::max(site.reach_squared, partner.reach_squared) {
             let l = image_of(law, shown, &run.image.0, &offsets).splat::<S>();
             let apart = Separation::of(law, [&k, &l], r, distance_squared);
-            law.pair(&k, &l, &apart, sums, &mut discarded);
+            match MIRRORED {
+                true => law.pair_behind([&k, &l], &run.image, &apart, sums, &mut discarded),
+                false => law.pair(&k, &l, &apart, sums, &mut discarded),
+            }
         }
     }
 }

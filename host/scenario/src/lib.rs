@@ -88,8 +88,8 @@ pub use domain::{Ball, Domain, Extent, Side};
 pub use error::ScenarioError;
 pub use gas::{
     Anchor, Arrangement, Deposit, Diffusion, EnergyRule, EquationOfState, Exact, Inflow, Material,
-    Outflow, Output, Profile, Region, Resolution, Ring, Scenario, Share, Switch, Time, Viscosity,
-    ViscosityKind, Weights,
+    NoSlipWalls, Outflow, Output, Profile, Region, Resolution, Ring, Scenario, Share, Switch, Time,
+    Viscosity, ViscosityKind, Weights,
 };
 pub use heading::Units;
 pub use keys::Family;

@@ -18,6 +18,7 @@
 use crate::cutoff::{CutOff, Needs};
 use crate::domain::Wall;
 use crate::error::Error;
+use crate::neighbours::Image;
 use crate::pairs::{Ground, Law, Separation, by_pairs};
 use crate::record;
 use crate::scalar::{Number, Scalar};
@@ -25,8 +26,9 @@ use crate::scalar::{Number, Scalar};
 use super::motion::{Motion, NEEDS, reflected};
 use super::node::GasSums;
 use super::options::Options;
-use super::terms::{Between, NodeOf, NodeOver, Terms};
+use super::terms::{Between, NodeOf, NodeOver, Sheared, Terms};
 use super::viscosity::{Pair, Viscosity};
+use super::walls::{Reversal, apart_as};
 
 record! {
     /// What a particle shows beyond the paper's equations.
@@ -93,13 +95,20 @@ fn continued<N: Number>(a: N, b: N) -> N {
 #[inline(always)]
 fn exerted<N: Number, const D: usize>(
     shown: &Extras<N, D>,
-    between: &Between<N, D>,
+    [r, u]: [&[N; D]; 2],
     factor: N,
+    seen: Option<&Reversal<N, D>>,
 ) -> [N; D] {
+    let mut along = [N::zero(); D];
+    for i in 0..D {
+        along[i] = N::dot(&shown.stress[i], r);
+    }
+    if let Some(seen) = seen {
+        along = seen.rate(&along);
+    }
     let mut exerted = [N::zero(); D];
     for i in 0..D {
-        let along = N::dot(&shown.stress[i], &between.r);
-        exerted[i] = -(factor * (shown.shear * between.u[i] + along));
+        exerted[i] = -(factor * (shown.shear * u[i] + along[i]));
     }
     exerted
 }
@@ -151,16 +160,22 @@ impl<S: Scalar, const D: usize> Terms<S, D> for Options<S, D> {
         &self,
         k: &NodeOver<N, S, Self, D>,
         l: &NodeOver<N, S, Self, D>,
-        between: &Between<N, D>,
-        [factor_k, factor_l]: [N; 2],
+        r: &[N; D],
+        sheared: &Sheared<'_, N, D>,
     ) -> Option<[[N; D]; 2]> {
         if !self.diffusion.is_viscous() {
             return None;
         }
+        let (between, [factor_k, factor_l]) = ([r, &sheared.u], sheared.factors);
         Some([
-            exerted(&k.terms, between, factor_k),
-            exerted(&l.terms, between, factor_l),
+            exerted(&k.terms, between, factor_k, None),
+            exerted(&l.terms, between, factor_l, sheared.seen),
         ])
+    }
+
+    #[inline(always)]
+    fn seen<N: Number<Scalar = S>>(&self, image: &Image<D>) -> Option<Reversal<N, D>> {
+        self.walls.seen(image)
     }
 
     fn is_bounded(&self) -> bool {
@@ -231,7 +246,7 @@ pub struct Work<C, V, T>(pub Motion<C, V, T>);
 pub struct Flow<C, V, T>(pub Motion<C, V, T>);
 
 macro_rules! law_of_energy {
-    ($name:ident, |$of:ident, $k:ident, $l:ident, $r:ident, $to_k:ident, $to_l:ident| $pair:block) => {
+    ($name:ident, |$of:ident, $seen:ident, $k:ident, $l:ident, $r:ident, $to_k:ident, $to_l:ident| $pair:block) => {
         impl<S, C, V, const D: usize> Law<S, D> for $name<C, V, Options<S, D>>
         where
             S: Scalar,
@@ -254,15 +269,26 @@ macro_rules! law_of_energy {
             #[inline(always)]
             fn pair<N: Number<Scalar = S>>(
                 &self,
-                $k: &NodeOver<N, S, Options<S, D>, D>,
-                $l: &NodeOver<N, S, Options<S, D>, D>,
+                k: &NodeOver<N, S, Options<S, D>, D>,
+                l: &NodeOver<N, S, Options<S, D>, D>,
                 apart: &Separation<N, D>,
-                $to_k: &mut GasSums<N, D>,
-                $to_l: &mut GasSums<N, D>,
+                to_k: &mut GasSums<N, D>,
+                to_l: &mut GasSums<N, D>,
             ) {
-                let $of = self.0.exchanged($k, $l, apart);
-                let $r = &apart.r;
-                $pair
+                self.add([k, l], apart, None, to_k, to_l);
+            }
+
+            #[inline(always)]
+            fn pair_behind<N: Number<Scalar = S>>(
+                &self,
+                pair: [&NodeOver<N, S, Options<S, D>, D>; 2],
+                image: &Image<D>,
+                apart: &Separation<N, D>,
+                to_k: &mut GasSums<N, D>,
+                to_l: &mut GasSums<N, D>,
+            ) {
+                let seen = self.0.terms.seen(image);
+                self.add(pair, apart, seen.as_ref(), to_k, to_l);
             }
 
             fn proof(
@@ -280,10 +306,27 @@ macro_rules! law_of_energy {
                 reflected::<S, Options<S, D>, D>(node, wall)
             }
         }
+
+        impl<S: Scalar, C, V: Viscosity<S>, const D: usize> $name<C, V, Options<S, D>> {
+            /// Adds the term of a pair; `seen`: how the viscous stress sees `l`.
+            #[inline(always)]
+            fn add<N: Number<Scalar = S>>(
+                &self,
+                [$k, $l]: [&NodeOver<N, S, Options<S, D>, D>; 2],
+                apart: &Separation<N, D>,
+                $seen: Option<&Reversal<N, D>>,
+                $to_k: &mut GasSums<N, D>,
+                $to_l: &mut GasSums<N, D>,
+            ) {
+                let $of = self.0.exchanged($k, $l, apart, $seen);
+                let $r = &apart.r;
+                $pair
+            }
+        }
     };
 }
 
-law_of_energy!(Work, |of, k, l, r, to_k, to_l| {
+law_of_energy!(Work, |of, seen, k, l, r, to_k, to_l| {
     let half = N::literal(0.5);
     let mut v = [N::zero(); D];
     let mut w = [N::zero(); D];
@@ -299,6 +342,11 @@ law_of_energy!(Work, |of, k, l, r, to_k, to_l| {
     to_k.power_slope += share_k * gain;
     to_l.power_slope += share_l * gain;
     if let Some([of_k, of_l]) = &of.drag {
+        if let Some(seen) = seen {
+            v = apart_as(Some(seen), &k.terms.velocity_now, &l.terms.velocity_now);
+            let turned = seen.rate(&l.terms.acceleration);
+            w = apart_as(None, &k.terms.acceleration, &turned);
+        }
         to_k.power += N::dot(of_k, &v);
         to_l.power += N::dot(of_l, &v);
         to_k.power_slope += N::dot(of_k, &w);
@@ -306,7 +354,7 @@ law_of_energy!(Work, |of, k, l, r, to_k, to_l| {
     }
 });
 
-law_of_energy!(Flow, |of, k, l, r, to_k, to_l| {
+law_of_energy!(Flow, |of, seen, k, l, r, to_k, to_l| {
     let along = |of: &NodeOver<N, S, Options<S, D>, D>| N::dot(&of.terms.velocity_now, r);
     let (along_k, along_l) = (along(k), along(l));
     let flow = (of.pressure_k * along_l + of.pressure_l * along_k)
@@ -314,7 +362,11 @@ law_of_energy!(Flow, |of, k, l, r, to_k, to_l| {
     to_k.power += of.heat - flow;
     to_l.power += flow - of.heat;
     if let Some([of_k, of_l]) = &of.drag {
-        let flow = N::dot(of_k, &l.terms.velocity_now) + N::dot(of_l, &k.terms.velocity_now);
+        let beyond = match seen {
+            None => l.terms.velocity_now,
+            Some(seen) => seen.velocity(&l.terms.velocity_now),
+        };
+        let flow = N::dot(of_k, &beyond) + N::dot(of_l, &k.terms.velocity_now);
         to_k.power -= flow;
         to_l.power += flow;
     }

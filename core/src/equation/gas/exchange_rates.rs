@@ -16,6 +16,7 @@ use super::storage::{GradientBuffers, RatesOf};
 use super::switch::{Flow, balsara};
 use super::terms::NodeOf;
 use super::viscosity::Viscosity;
+use super::walls::NoSlip;
 
 impl<S: Scalar, const D: usize> Physics<S, D> for Options<S, D> {
     fn plain(&self) -> &Plain<S, D> {
@@ -26,6 +27,9 @@ impl<S: Scalar, const D: usize> Physics<S, D> for Options<S, D> {
     }
     fn energy(&self) -> EnergyForm {
         self.energy
+    }
+    fn no_slip(&self) -> NoSlip<S, D> {
+        self.walls
     }
     fn need_gradients(&self) -> bool {
         Self::need_gradients(self)
@@ -67,14 +71,29 @@ impl<S: Scalar, const D: usize> Physics<S, D> for Options<S, D> {
                 velocity: node.velocity,
             };
         }
-        let law = Gradient {
+        let options = &solver.physics;
+        let is_viscous = options.diffusion.is_viscous();
+        let sticks = is_viscous && options.walls.is_any();
+        let mut law = Gradient {
             cut_off: solver.cut_off,
+            walls: options.walls,
         };
+        // What pressure and pseudo-viscosity see is a mirror: their gradients are others.
+        let are_two = sticks && options.switches();
+        if are_two || !sticks {
+            law.walls = NoSlip::NONE;
+        }
         cloud
             .engine
             .evaluate(&law, &cloud.cells, shown, gradients)?;
         solver.switch(cloud, nodes, gradients);
-        match solver.physics.diffusion.is_viscous() {
+        if are_two {
+            law.walls = options.walls;
+            cloud
+                .engine
+                .evaluate(&law, &cloud.cells, shown, gradients)?;
+        }
+        match is_viscous {
             true => solver.stresses(cloud, nodes, gradients),
             false => Ok(()),
         }

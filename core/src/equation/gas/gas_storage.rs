@@ -4,7 +4,7 @@ use heapless::Vec;
 
 use crate::equation::{Dynamics, Parts, Storage};
 use crate::error::{Container, Error};
-use crate::neighbours::{CellBuffers, Site};
+use crate::neighbours::{CellBuffers, Grid, Site};
 use crate::numbered::numbered;
 use crate::pairs::{Fields, Nothing, Settled};
 use crate::scalar::Scalar;
@@ -39,6 +39,7 @@ pub struct GasStorage<
     order: [u32; N],
     cell_of: [u32; N],
     starts: [u32; C],
+    grid: Option<Grid<S, D>>,
     density_nodes: [DensityNode<S, D>; N],
     densities: [Settled<DensityNode<S, D>, DensitySums<S, D>>; N],
     nodes: [GasNode<S, X, D>; N],
@@ -146,6 +147,7 @@ impl<S: Scalar, X: Fields<S>, const D: usize, const N: usize, const G: usize, co
             order: [0; N],
             cell_of: [0; N],
             starts: [0; C],
+            grid: None,
             density_nodes: [DensityNode::ZERO; N],
             densities: [Settled::new(DensityNode::ZERO, DensitySums::ZERO); N],
             nodes: [GasNode::ZERO; N],
@@ -204,6 +206,7 @@ impl<S: Scalar, X: Fields<S>, const D: usize, const N: usize, const G: usize, co
                 cell_of: &mut self.cell_of,
                 starts: &mut self.starts,
             },
+            grid: &mut self.grid,
             density_nodes: &mut self.density_nodes,
             densities: &mut self.densities,
             nodes: &mut self.nodes,

@@ -10,9 +10,12 @@
 use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
 use crate::error::Error;
+use crate::neighbours::Image;
 use crate::pairs::{Ground, Law, Separation, by_pairs};
 use crate::record;
 use crate::scalar::{Number, Scalar};
+
+use super::walls::{NoSlip, Reversal, apart_as};
 
 record! {
     /// What a particle shows.
@@ -42,12 +45,44 @@ record! {
 
 /// The sums that give gradients.
 #[derive(Clone, Copy, Debug)]
-pub struct Gradient<C> {
+pub struct Gradient<S, C, const D: usize> {
     /// The cut-off.
     pub cut_off: C,
+    /// The walls that velocities are odd about; they are mirrored in all others.
+    pub walls: NoSlip<S, D>,
 }
 
-impl<S: Scalar, C: CutOff, const D: usize> Law<S, D> for Gradient<C> {
+impl<S: Scalar, C: CutOff, const D: usize> Gradient<S, C, D> {
+    /// Adds the term of a pair; `seen`: how the velocity of `l` is seen.
+    #[inline(always)]
+    fn add<N: Number<Scalar = S>>(
+        [k, l]: [&GradientNode<N, D>; 2],
+        apart: &Separation<N, D>,
+        seen: Option<&Reversal<N, D>>,
+        to_k: &mut GradientSums<N, D>,
+        to_l: &mut GradientSums<N, D>,
+    ) {
+        let Separation { r, zeta, .. } = apart;
+        let f_k = l.measure * zeta.k.gradient;
+        let f_l = k.measure * zeta.l.gradient;
+        let e = k.energy - l.energy;
+        let u = apart_as(seen, &k.velocity, &l.velocity);
+        for i in 0..D {
+            let er = e * r[i];
+            to_k.energy[i] -= f_k * er;
+            to_l.energy[i] -= f_l * er;
+            for j in 0..D {
+                let (rr, ur) = (r[i] * r[j], u[i] * r[j]);
+                to_k.moments[i][j] -= f_k * rr;
+                to_l.moments[i][j] -= f_l * rr;
+                to_k.velocity[i][j] -= f_k * ur;
+                to_l.velocity[i][j] -= f_l * ur;
+            }
+        }
+    }
+}
+
+impl<S: Scalar, C: CutOff, const D: usize> Law<S, D> for Gradient<S, C, D> {
     type Node = GradientNode<S, D>;
     type Sums = GradientSums<S, D>;
     type CutOff = C;
@@ -74,23 +109,19 @@ impl<S: Scalar, C: CutOff, const D: usize> Law<S, D> for Gradient<C> {
         to_k: &mut GradientSums<N, D>,
         to_l: &mut GradientSums<N, D>,
     ) {
-        let Separation { r, zeta, .. } = apart;
-        let f_k = l.measure * zeta.k.gradient;
-        let f_l = k.measure * zeta.l.gradient;
-        let e = k.energy - l.energy;
-        for i in 0..D {
-            let er = e * r[i];
-            to_k.energy[i] -= f_k * er;
-            to_l.energy[i] -= f_l * er;
-            let u = k.velocity[i] - l.velocity[i];
-            for j in 0..D {
-                let (rr, ur) = (r[i] * r[j], u * r[j]);
-                to_k.moments[i][j] -= f_k * rr;
-                to_l.moments[i][j] -= f_l * rr;
-                to_k.velocity[i][j] -= f_k * ur;
-                to_l.velocity[i][j] -= f_l * ur;
-            }
-        }
+        Self::add([k, l], apart, None, to_k, to_l);
+    }
+
+    #[inline(always)]
+    fn pair_behind<N: Number<Scalar = S>>(
+        &self,
+        pair: [&GradientNode<N, D>; 2],
+        image: &Image<D>,
+        apart: &Separation<N, D>,
+        to_k: &mut GradientSums<N, D>,
+        to_l: &mut GradientSums<N, D>,
+    ) {
+        Self::add(pair, apart, self.walls.seen(image).as_ref(), to_k, to_l);
     }
 
     fn proof(&self, ground: &Ground<'_, '_, S, D>, nodes: &[Self::Node]) -> Result<(), Error> {

@@ -41,6 +41,8 @@ pub mod switch;
 pub mod terms;
 pub mod tube;
 pub mod viscosity;
+mod wall_forces;
+pub mod walls;
 mod waves;
 
 pub use density::Width;
@@ -58,3 +60,5 @@ pub use storage::{GradientBuffers, RatesOf, Workspace};
 pub use terms::Terms;
 pub use tube::{Stretch, Tube};
 pub use viscosity::Viscosity;
+pub use wall_forces::WallForces;
+pub use walls::NoSlip;

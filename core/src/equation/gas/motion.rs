@@ -10,11 +10,13 @@
 use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
 use crate::error::Error;
+use crate::neighbours::Image;
 use crate::pairs::{Ground, Law, Separation, by_pairs};
 use crate::scalar::{Number, Scalar};
 
-use super::terms::{Between, NodeOf, NodeOver, Terms};
+use super::terms::{Between, NodeOf, NodeOver, Sheared, Terms};
 use super::viscosity::Viscosity;
+use super::walls::{Reversal, apart_as};
 
 pub use super::node::{GasNode, GasSums};
 
@@ -41,7 +43,7 @@ pub(super) struct Exchanged<N, const D: usize> {
     pub heat: N,
     /// What the viscous stresses of both exert: see [`Terms::drag`].
     pub drag: Option<[[N; D]; 2]>,
-    /// `u_k - u_l`, of the velocities that forces depend on.
+    /// `u_k - u_l` as the viscous stresses see it, of the velocities that forces depend on.
     pub u: [N; D],
     /// `Σ_i (u_k-u_l)_i r_i`, of the velocities that forces depend on.
     pub approach: N,
@@ -62,6 +64,7 @@ impl<C, V, T> Motion<C, V, T> {
         k: &NodeOver<N, S, T, D>,
         l: &NodeOver<N, S, T, D>,
         apart: &Separation<N, D>,
+        seen: Option<&Reversal<N, D>>,
     ) -> Exchanged<N, D>
     where
         S: Scalar,
@@ -92,19 +95,71 @@ impl<C, V, T> Motion<C, V, T> {
         let pi = self.terms.stress(&self.viscosity, k, l, &between);
         let masses = k.mass * l.mass;
         let measures = k.measure * l.measure;
+        let sheared = Sheared {
+            u: match seen {
+                None => u,
+                Some(_) => apart_as(seen, &k.velocity, &l.velocity),
+            },
+            factors: [measures * g_k, measures * g_l],
+            seen,
+        };
         Exchanged {
             pressure_k: measures * (k.pressure * g_k),
             pressure_l: measures * (l.pressure * g_l),
             viscous: masses * (pi * g),
             heat: self.terms.heat(k, l, &between, masses * g),
-            drag: self
-                .terms
-                .drag(k, l, &between, [measures * g_k, measures * g_l]),
-            u,
+            drag: self.terms.drag(k, l, r, &sheared),
+            u: sheared.u,
             approach,
             speed: between.speed,
             gradients: [g_k, g_l, g],
         }
+    }
+
+    /// Adds the term of a pair; `seen`: how the viscous stress sees `l`.
+    #[inline(always)]
+    fn add<S, N, const D: usize>(
+        &self,
+        [k, l]: [&NodeOver<N, S, T, D>; 2],
+        apart: &Separation<N, D>,
+        seen: Option<&Reversal<N, D>>,
+        to_k: &mut GasSums<N, D>,
+        to_l: &mut GasSums<N, D>,
+    ) where
+        S: Scalar,
+        N: Number<Scalar = S>,
+        V: Viscosity<S>,
+        T: Terms<S, D>,
+    {
+        let of = self.exchanged(k, l, apart, seen);
+        let [g_k, g_l, g] = of.gradients;
+        let term = (of.pressure_k + of.pressure_l) + of.viscous;
+        for i in 0..D {
+            let force = term * apart.r[i];
+            to_k.force[i] -= force;
+            to_l.force[i] += force;
+        }
+        to_k.compression += l.measure * (of.approach * g_k);
+        to_l.compression += k.measure * (of.approach * g_l);
+        let heating = N::literal(0.5) * (of.viscous * of.approach);
+        to_k.power += heating + of.heat;
+        to_l.power += heating - of.heat;
+        if let Some([of_k, of_l]) = &of.drag {
+            for i in 0..D {
+                let drag = of_k[i] + of_l[i];
+                to_k.force[i] -= drag;
+                to_l.force[i] += drag;
+            }
+            to_k.power += N::dot(of_k, &of.u);
+            to_l.power += N::dot(of_l, &of.u);
+        }
+        // A pair out of reach has no say in the time step; its gradient is exactly 0.
+        let near = g.below(N::zero());
+        let closing = -of.speed * near;
+        to_k.approach = to_k.approach.max(closing);
+        to_l.approach = to_l.approach.max(closing);
+        to_k.stiffest = to_k.stiffest.max(l.stiffness * near);
+        to_l.stiffest = to_l.stiffest.max(k.stiffness * near);
     }
 }
 
@@ -137,35 +192,20 @@ where
         to_k: &mut GasSums<N, D>,
         to_l: &mut GasSums<N, D>,
     ) {
-        let of = self.exchanged(k, l, apart);
-        let [g_k, g_l, g] = of.gradients;
-        let term = (of.pressure_k + of.pressure_l) + of.viscous;
-        for i in 0..D {
-            let force = term * apart.r[i];
-            to_k.force[i] -= force;
-            to_l.force[i] += force;
-        }
-        to_k.compression += l.measure * (of.approach * g_k);
-        to_l.compression += k.measure * (of.approach * g_l);
-        let heating = N::literal(0.5) * (of.viscous * of.approach);
-        to_k.power += heating + of.heat;
-        to_l.power += heating - of.heat;
-        if let Some([of_k, of_l]) = &of.drag {
-            for i in 0..D {
-                let drag = of_k[i] + of_l[i];
-                to_k.force[i] -= drag;
-                to_l.force[i] += drag;
-            }
-            to_k.power += N::dot(of_k, &of.u);
-            to_l.power += N::dot(of_l, &of.u);
-        }
-        // A pair out of reach has no say in the time step; its gradient is exactly 0.
-        let near = g.below(N::zero());
-        let closing = -of.speed * near;
-        to_k.approach = to_k.approach.max(closing);
-        to_l.approach = to_l.approach.max(closing);
-        to_k.stiffest = to_k.stiffest.max(l.stiffness * near);
-        to_l.stiffest = to_l.stiffest.max(k.stiffness * near);
+        self.add([k, l], apart, None, to_k, to_l);
+    }
+
+    #[inline(always)]
+    fn pair_behind<N: Number<Scalar = S>>(
+        &self,
+        pair: [&NodeOver<N, S, T, D>; 2],
+        image: &Image<D>,
+        apart: &Separation<N, D>,
+        to_k: &mut GasSums<N, D>,
+        to_l: &mut GasSums<N, D>,
+    ) {
+        let seen = self.terms.seen(image);
+        self.add(pair, apart, seen.as_ref(), to_k, to_l);
     }
 
     fn proof(&self, ground: &Ground<'_, '_, S, D>, nodes: &[Self::Node]) -> Result<(), Error> {

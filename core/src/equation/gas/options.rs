@@ -3,6 +3,7 @@
 use crate::scalar::Scalar;
 
 use super::far::Far;
+use super::walls::NoSlip;
 
 /// What a particle weighs in sums over its neighbours. The paper leaves the weights w_k free.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -90,6 +91,8 @@ pub struct Options<S, const D: usize> {
     pub conduction: S,
     /// Physical viscosity and heat conduction.
     pub diffusion: Diffusion<S>,
+    /// The walls that the gas sticks to; they act by the physical viscosity.
+    pub walls: NoSlip<S, D>,
 }
 
 impl<S: Scalar> Diffusion<S> {
@@ -116,15 +119,17 @@ impl<S: Scalar, const D: usize> Options<S, D> {
         balsara: false,
         conduction: S::ZERO,
         diffusion: Diffusion::OFF,
+        walls: NoSlip::NONE,
     };
+
+    /// Whether anything but the viscous stress needs the gradients of velocities.
+    pub(super) fn switches(&self) -> bool {
+        self.limited || self.balsara || self.switch.is_some()
+    }
 
     /// Whether gradients are needed.
     pub fn need_gradients(&self) -> bool {
-        self.limited
-            || self.balsara
-            || self.switch.is_some()
-            || self.conduction > S::ZERO
-            || self.diffusion.is_viscous()
+        self.switches() || self.conduction > S::ZERO || self.diffusion.is_viscous()
     }
 
     /// Whether anything is on that [`Plain`] has not. Where nothing is, [`Plain`] gives the same

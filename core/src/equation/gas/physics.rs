@@ -15,6 +15,7 @@ use super::state::Gas;
 use super::storage::{GradientBuffers, RatesOf};
 use super::terms::{NodeOf, Terms};
 use super::viscosity::Viscosity;
+use super::walls::NoSlip;
 
 /// Which law a gas solver follows: [`Plain`] or [`Options`](super::Options).
 pub trait Physics<S: Scalar, const D: usize>: Terms<S, D> {
@@ -28,6 +29,10 @@ pub trait Physics<S: Scalar, const D: usize>: Terms<S, D> {
     /// How the energy goes from one time to the next.
     fn energy(&self) -> EnergyForm {
         EnergyForm::LeapFrog
+    }
+    /// The walls that the gas sticks to.
+    fn no_slip(&self) -> NoSlip<S, D> {
+        NoSlip::NONE
     }
     /// Whether gradients of velocity and energy are made.
     fn need_gradients(&self) -> bool {

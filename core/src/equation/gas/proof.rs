@@ -88,9 +88,9 @@ impl<S: Scalar, C: CutOff, const D: usize> Density<S, C, D> {
     }
 }
 
-impl<C: CutOff> Gradient<C> {
+impl<S: Scalar, C: CutOff, const D: usize> Gradient<S, C, D> {
     /// Bounds of its sums.
-    pub(super) fn prove<S: Scalar, const D: usize>(
+    pub(super) fn prove(
         &self,
         ground: &Ground<'_, '_, S, D>,
         nodes: &[GradientNode<S, D>],
@@ -100,7 +100,8 @@ impl<C: CutOff> Gradient<C> {
         let measure = Largest::of(nodes.iter().map(|node| node.measure)).bound;
         let energy = Largest::of(nodes.iter().map(|node| node.energy));
         let speed = Largest::of(nodes.iter().flat_map(|node| node.velocity)).bound;
-        let step = (2.0 * energy.bound).max(2.0 * speed).max(ground.reach);
+        let step = 2.0 * (speed + self.walls.fastest());
+        let step = (2.0 * energy.bound).max(step).max(ground.reach);
         // `F |r|` is ε times the slope, ε at most the reach over the support.
         let width = ground.reach / f64::from(cut_off.support());
         let sum = ground.partners * measure * peaks.slope * width * step;

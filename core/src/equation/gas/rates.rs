@@ -55,6 +55,7 @@ where
         dt: S,
     ) -> Result<(), Error> {
         let n = gas.len();
+        *work.grid = Some(grid);
         let cells = work.cells.cells(grid, n);
         let densities = work.densities.get(..n).unwrap_or(&[]);
         let (Some(nodes), Some(rates)) = (work.nodes.get_mut(..n), work.rates.get_mut(..n)) else {

@@ -1,6 +1,6 @@
 //! The memory that a step of a gas works in.
 
-use crate::neighbours::CellBuffers;
+use crate::neighbours::{CellBuffers, Grid};
 use crate::pairs::{Fields, Settled};
 use crate::scalar::Scalar;
 
@@ -12,11 +12,14 @@ use super::terms::NodeOf;
 /// The node and the sums of each particle of a gas with these terms, in sorted order.
 pub type RatesOf<S, T, const D: usize> = [Settled<NodeOf<S, T, D>, GasSums<S, D>>];
 
-/// Memory that a step works in; nothing in it outlives the step. `X` is what the terms beyond the
+/// Memory that a step works in. Nothing in it is read by the next step; what the last one left says what
+/// acts on walls ([`WallForces`](super::WallForces)). `X` is what the terms beyond the
 /// paper's equations show: [`Terms::Shown`](super::Terms::Shown).
 pub struct Workspace<'a, S: Scalar, X: Fields<S>, const D: usize> {
     /// For the search for partners.
     pub cells: CellBuffers<'a, S, D>,
+    /// The geometry of the cells that the last rates were made in.
+    pub grid: &'a mut Option<Grid<S, D>>,
     /// Nodes of the density sum, in sorted order.
     pub density_nodes: &'a mut [DensityNode<S, D>],
     /// Its results.

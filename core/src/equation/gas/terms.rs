@@ -1,5 +1,6 @@
 //! What a gas may do beyond the paper's equations, as the sums over pairs see it.
 
+use crate::neighbours::Image;
 use crate::pairs::Fields;
 use crate::pairs::Nothing;
 use crate::scalar::{Number, Scalar};
@@ -7,6 +8,7 @@ use crate::scalar::{Number, Scalar};
 use super::node::GasNode;
 use super::options::Plain;
 use super::viscosity::{Pair, Viscosity};
+use super::walls::Reversal;
 
 /// Two particles of gas as the terms of a pair see them.
 pub struct Between<N, const D: usize> {
@@ -24,6 +26,16 @@ pub struct Between<N, const D: usize> {
     pub approach: N,
     /// The same over `floored`.
     pub speed: N,
+}
+
+/// What the viscous stresses of a pair act on.
+pub struct Sheared<'a, N, const D: usize> {
+    /// `u_k - u_l` as they see it.
+    pub u: [N; D],
+    /// `μ_k μ_l` times the factors of the gradients of `k` and of `l`.
+    pub factors: [N; 2],
+    /// How `l` is seen where it is an image in a wall that the gas sticks to.
+    pub seen: Option<&'a Reversal<N, D>>,
 }
 
 /// The node of a gas with these terms.
@@ -62,17 +74,23 @@ pub trait Terms<S: Scalar, const D: usize>: Copy + Sync {
     }
 
     /// What the viscous stresses of `k` and of `l` exert between the two: `k` receives minus the sum of
-    /// both as force, and each turns its own times `u_k - u_l` into heat. `factors` are
-    /// `μ_k μ_l` times those of the gradients. `None` without such a stress.
+    /// both as force, and each turns its own times `u_k - u_l` into heat. `None` without such a stress.
     #[inline(always)]
     fn drag<N: Number<Scalar = S>>(
         &self,
         k: &NodeOver<N, S, Self, D>,
         l: &NodeOver<N, S, Self, D>,
-        between: &Between<N, D>,
-        factors: [N; 2],
+        r: &[N; D],
+        sheared: &Sheared<'_, N, D>,
     ) -> Option<[[N; D]; 2]> {
-        let _ = (k, l, between, factors);
+        let _ = (k, l, r, sheared);
+        None
+    }
+
+    /// How the viscous stress sees an image otherwise than a mirror shows it; `None` where it does not.
+    #[inline(always)]
+    fn seen<N: Number<Scalar = S>>(&self, image: &Image<D>) -> Option<Reversal<N, D>> {
+        let _ = image;
         None
     }
 

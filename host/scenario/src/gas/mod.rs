@@ -8,6 +8,7 @@ mod output;
 mod profile;
 mod region;
 mod resolution;
+mod wall;
 
 use crate::domain::Domain;
 use crate::error::{Fault, ScenarioError};
@@ -27,6 +28,7 @@ pub use output::{Exact, Output, Ring};
 pub use profile::Profile;
 pub use region::{Deposit, Region};
 pub use resolution::{Anchor, Arrangement, Resolution, Share};
+pub use wall::NoSlipWalls;
 
 /// A gas to simulate. All numbers are in the scenario's own units.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,6 +69,8 @@ pub struct Scenario {
     pub conduction: f64,
     /// Physical diffusion.
     pub diffusion: Diffusion,
+    /// The walls that the gas sticks to by its viscosity.
+    pub walls: NoSlipWalls,
     /// Acceleration of everything.
     pub acceleration: Vec<f64>,
     /// How long, and in what steps.
@@ -149,6 +153,7 @@ pub(super) fn scenario(
     }
     let output = output::output(root, &domain.extent, &gas)?;
     inflow::check_output(root, &domain, &output)?;
+    let diffusion = method::diffusion(root)?;
     let scenario = Scenario {
         name: heading.name,
         description: heading.description,
@@ -156,6 +161,7 @@ pub(super) fn scenario(
         units: heading.units,
         inflow: inflow::inflow(root, &domain, &gas.materials)?,
         outflow: outflow::outflow(root, &domain, &gas.materials)?,
+        walls: wall::walls(root, &domain, &diffusion)?,
         domain,
         regions: gas.regions,
         profile: gas.profile,
@@ -166,7 +172,7 @@ pub(super) fn scenario(
         cut_off: cut_off::of_gas(root, dimension)?,
         viscosity: method::viscosity(root)?,
         conduction: method::conduction(root)?,
-        diffusion: method::diffusion(root)?,
+        diffusion,
         acceleration: method::acceleration(root, dimension)?,
         time: method::time(&section("time")?)?,
         tolerances: tolerance::of_gas(root, output.exact.is_some())?,

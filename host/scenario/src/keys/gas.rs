@@ -16,6 +16,7 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
             key("profile", "[profile]"),
             key("inflow", "[inflow]"),
             key("outflow", "[outflow]"),
+            key("wall", "[[wall]]"),
             key("deposit", "[[deposit]]"),
             key("material", "[material]"),
             key("resolution", "[resolution]"),
@@ -70,6 +71,15 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
         &[
             key("pressure", "pressure = 1.0"),
             key("velocity", "velocity = [1.0]"),
+        ],
+    ),
+    (
+        "wall",
+        &[
+            key("axis", "axis = \"y\""),
+            key("end", "end = \"upper\""),
+            key("slip", "slip = \"none\""),
+            key("velocity", "velocity = [1.0, 0.0]"),
         ],
     ),
     (

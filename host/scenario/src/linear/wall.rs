@@ -87,7 +87,7 @@ pub(super) fn walls(
     let end_of_run = end_of_run(root);
     for (number, entry) in entry.list("one or more [[wall]]")?.iter().enumerate() {
         let section = entry.section()?;
-        let (axis, end) = place(&section, domain)?;
+        let (axis, end) = place_of_wall(&section, domain)?;
         let condition = condition(&section, files, end_of_run)?;
         for i in chosen(&section, species)? {
             let same = told.iter().find(|(_, place)| *place == (axis, end, i));
@@ -111,7 +111,10 @@ fn end_of_run(root: &Section<'_>) -> Option<f64> {
 }
 
 /// Which wall: its direction and its end, 0 for the lower.
-fn place(section: &Section<'_>, domain: &Domain) -> Result<(usize, usize), Fault> {
+pub(crate) fn place_of_wall(
+    section: &Section<'_>,
+    domain: &Domain,
+) -> Result<(usize, usize), Fault> {
     let entry = section.required("axis")?;
     let axis = entry.choice(&[("x", 0), ("y", 1), ("z", 2)])?;
     let dimension = domain.sides.len();

@@ -2,9 +2,9 @@
 
 use motes_core::cutoff::CubicSpline;
 use motes_core::domain::Domain;
-use motes_core::equation::gas::Options;
 use motes_core::equation::gas::Particle;
 use motes_core::equation::gas::gradient::{Gradient, GradientNode, GradientSums, Slopes};
+use motes_core::equation::gas::{NoSlip, Options};
 use motes_core::neighbours::sort;
 use motes_core::pairs::{Engine, Fields, PlainLoop, Settled};
 use motes_solver::families::gas::PlainArrays;
@@ -33,6 +33,7 @@ fn slopes<const D: usize>(particles: &[Particle<f64, D>]) -> Vec<Slopes<f64, D>>
     let nodes: Vec<_> = cells.order().iter().map(node).collect();
     let mut settled = vec![Settled::new(GradientNode::ZERO, GradientSums::ZERO); nodes.len()];
     let law = Gradient {
+        walls: NoSlip::NONE,
         cut_off: CubicSpline,
     };
     PlainLoop.sweep(&law, &cells, &nodes, &mut settled).unwrap();

@@ -51,6 +51,10 @@ pub(super) fn check_format<S: Scalar>(plan: &Plan, scalar: &str) -> Result<(), R
             numbers.push(("a velocity of the inflow", *velocity));
         }
     }
+    for velocity in plan.options.walls.velocity.iter().flatten().flatten() {
+        let components = velocity[..plan.dimension].iter();
+        numbers.extend(components.map(|u| ("the velocity of a wall", *u)));
+    }
     for far in plan.options.plain.far.iter().flatten() {
         let stiffness = far.density * far.sound_speed * far.sound_speed;
         numbers.extend([

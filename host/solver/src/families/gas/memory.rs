@@ -7,7 +7,7 @@ use motes_core::equation::gas::motion::{GasNode, GasSums};
 use motes_core::equation::gas::{Cloud, Gas, GradientBuffers, Options, Particle, Workspace};
 use motes_core::equation::linear::Nothing;
 use motes_core::error::{Container, Error};
-use motes_core::neighbours::{CellBuffers, Site, cell_bound};
+use motes_core::neighbours::{CellBuffers, Grid, Site, cell_bound};
 use motes_core::pairs::{Fields, Settled};
 use motes_core::scalar::Scalar;
 
@@ -37,6 +37,7 @@ pub struct GasArrays<S: Scalar, X: Fields<S>, const D: usize> {
     order: Vec<u32>,
     cell_of: Vec<u32>,
     starts: Vec<u32>,
+    grid: Option<Grid<S, D>>,
     density_nodes: Vec<DensityNode<S, D>>,
     densities: Vec<Settled<DensityNode<S, D>, DensitySums<S, D>>>,
     nodes: Vec<GasNode<S, X, D>>,
@@ -100,6 +101,7 @@ impl<S: Scalar, X: Fields<S>, const D: usize> GasArrays<S, X, D> {
             order: Vec::new(),
             cell_of: Vec::new(),
             starts: Vec::new(),
+            grid: None,
             density_nodes: Vec::new(),
             densities: Vec::new(),
             nodes: Vec::new(),
@@ -193,6 +195,7 @@ impl<S: Scalar, X: Fields<S>, const D: usize> GasArrays<S, X, D> {
                 cell_of: &mut self.cell_of,
                 starts: &mut self.starts,
             },
+            grid: &mut self.grid,
             density_nodes: &mut self.density_nodes,
             densities: &mut self.densities,
             nodes: &mut self.nodes,

@@ -6,7 +6,7 @@ use motes_core::equation::gas::viscosity::{
     Coefficients, GingoldMonaghan, Named as NamedViscosity, Pairwise, VonNeumann,
 };
 use motes_core::equation::gas::{
-    Diffusion, GasDynamics, Options, Particle, Plain, Stretch, Switch, Tube, Width,
+    Diffusion, GasDynamics, NoSlip, Options, Particle, Plain, Stretch, Switch, Tube, Width,
 };
 use motes_core::material::{IdealGas, Isothermal, Named as NamedMaterial, StiffenedGas, Tait};
 use motes_core::scalar::Scalar;
@@ -124,6 +124,16 @@ impl Plan {
                 bulk_viscosity: S::from_f64(options.diffusion.bulk_viscosity),
                 heat: S::from_f64(options.diffusion.heat),
             },
+            walls: self.no_slip(),
+        }
+    }
+
+    /// The walls that the gas sticks to, in the scalar and dimension of the run.
+    fn no_slip<S: Scalar, const D: usize>(&self) -> NoSlip<S, D> {
+        let walls = &self.options.walls.velocity;
+        let component = |velocity: [f64; 3]| std::array::from_fn(|i| S::from_f64(velocity[i]));
+        NoSlip {
+            velocity: std::array::from_fn(|axis| walls[axis].map(|wall| wall.map(component))),
         }
     }
 

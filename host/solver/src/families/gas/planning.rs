@@ -2,7 +2,7 @@
 
 use motes_core::domain::{Axis, Side};
 use motes_core::equation::gas::{
-    Diffusion, EnergyForm, Far, Options, Particle, Plain, Stretch, Switch, Weights, Width,
+    Diffusion, EnergyForm, Far, NoSlip, Options, Particle, Plain, Stretch, Switch, Weights, Width,
 };
 
 use super::fitness::{check_reach, check_units};
@@ -125,7 +125,7 @@ fn abscissa(scenario: &Scenario) -> Abscissa {
 }
 
 /// Spacing, mass and speed of which everything is counted: the mean spacing, the mean mass,
-/// and the largest speed of sound or gas at the start or coming in.
+/// and the largest speed of sound or gas at the start or coming in, or of a wall.
 fn units(scenario: &Scenario, placed: &[Placed]) -> SolverUnits {
     let count = placed.len().max(1) as f64;
     let is_file = matches!(scenario.resolution.arrangement, Arrangement::File(_));
@@ -161,10 +161,13 @@ fn units(scenario: &Scenario, placed: &[Placed]) -> SolverUnits {
         let squares = inflow.velocity.iter().map(|u| u * u).sum::<f64>();
         squares.max(law.sound_speed_squared(inflow.density, energy))
     });
+    let walls = scenario.walls.iter().flatten().flatten();
+    let squares = walls.map(|velocity| velocity.iter().map(|u| u * u).sum::<f64>());
+    let moving = squares.fold(incoming, f64::max);
     SolverUnits {
         length: spacing,
         mass: sum(&|p| p.mass) / count,
-        velocity: placed.iter().map(speed).fold(incoming, f64::max).sqrt(),
+        velocity: placed.iter().map(speed).fold(moving, f64::max).sqrt(),
         dimension: scenario.dimension as i32,
     }
 }
@@ -256,6 +259,19 @@ impl Frame<'_> {
                 bulk_viscosity: scenario.diffusion.bulk_viscosity / diffusivity,
                 heat: scenario.diffusion.heat / diffusivity,
             },
+            walls: self.no_slip(),
+        }
+    }
+
+    fn no_slip(&self) -> NoSlip<f64, 3> {
+        let walls = &self.scenario.walls;
+        let unit = self.units.velocity;
+        let vector = |velocity: &Vec<f64>| {
+            std::array::from_fn(|i| velocity.get(i).map_or(0.0, |component| component / unit))
+        };
+        let wall = |axis: usize, end: usize| walls.get(axis).and_then(|ends| ends[end].as_ref());
+        NoSlip {
+            velocity: std::array::from_fn(|axis| [0, 1].map(|end| wall(axis, end).map(vector))),
         }
     }
 

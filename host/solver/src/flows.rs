@@ -1,5 +1,6 @@
 //! The flows that scenarios name: what a profile is at the start, and at any time.
 
+use crate::exact::channel::{ChannelFlow, ChannelProblem};
 use crate::exact::finite_volume::{Ends, FiniteVolume, Grid};
 use crate::exact::flow::{Flow, FlowError, FlowState};
 use crate::exact::gresho::GreshoProblem;
@@ -79,6 +80,37 @@ pub fn profile_flow(scenario: &Scenario) -> Result<Option<Box<dyn Flow>>, FlowEr
         )),
         Profile::KelvinHelmholtz => None,
     })
+}
+
+/// The flow between the walls of a channel; `None` where there is none.
+///
+/// # Errors
+/// Numbers for which the flow does not exist.
+pub fn channel_flow(scenario: &Scenario) -> Result<Option<ChannelFlow>, FlowError> {
+    let (Ok(axis), Some(region)) = (scenario.channel(), scenario.regions.first()) else {
+        return Ok(None);
+    };
+    let vector = |of: &[f64]| std::array::from_fn(|i| of.get(i).copied().unwrap_or(0.0));
+    let law = &scenario.materials[region.material].law;
+    let [lower, upper] = &scenario.walls[axis];
+    let velocity = |wall: &Option<Vec<f64>>| wall.as_deref().map_or([0.0; 3], vector);
+    let problem = ChannelProblem {
+        axis,
+        walls: [
+            scenario.domain.extent.lower[axis],
+            scenario.domain.extent.upper[axis],
+        ],
+        velocities: [velocity(lower), velocity(upper)],
+        viscosity: scenario.diffusion.viscosity,
+        acceleration: vector(&scenario.acceleration),
+        start: FlowState {
+            density: region.density,
+            velocity: vector(&region.velocity),
+            pressure: region.pressure,
+            energy: law.energy(region.density, region.pressure),
+        },
+    };
+    problem.solve().map(Some)
 }
 
 /// A state of gas as a function of the place.

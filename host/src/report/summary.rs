@@ -60,6 +60,9 @@ pub struct Summary {
     /// nothing may.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub balance: Vec<Balance>,
+    /// The force of a gas on each of its walls at the end; left out where there is none.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub wall_forces: BTreeMap<String, Vec<f64>>,
     /// Neighbour counts at the end.
     pub neighbours: Spread,
     /// Digest of the last state: 16 hexadecimal digits.
@@ -114,6 +117,7 @@ impl Summary {
             drift: (description.known.contains(&true)).then(|| outcome.drift.clone()),
             energy_norm: None,
             balance: simulation.balance(outcome),
+            wall_forces: simulation.wall_forces(outcome),
             neighbours: outcome.neighbours,
             digest: outcome.digest.to_string(),
             digest_unordered: outcome.digest_unordered.to_string(),

@@ -179,6 +179,7 @@ pub(super) fn scenario(
         output,
         text: text.to_owned(),
     };
+    wall::check_output(root, &scenario)?;
     tolerance::check_center(root, scenario.center().is_some())?;
     Ok(scenario)
 }

@@ -39,6 +39,8 @@ pub enum Exact {
     Profile,
     /// A converged finite-volume run of the same problem: one dimension.
     Reference,
+    /// Viscous flow between two walls that the gas sticks to, from a uniform start.
+    Channel,
 }
 
 /// The points at a distance in `[inner, outer]` from a centre.
@@ -57,6 +59,7 @@ const EXACT: &[(&str, Exact)] = &[
     ("sedov", Exact::Sedov),
     ("profile", Exact::Profile),
     ("reference", Exact::Reference),
+    ("channel", Exact::Channel),
 ];
 
 /// `[output]`.
@@ -137,6 +140,11 @@ fn exists(exact: Exact, dimension: usize, gas: &Gas) -> Result<(), (String, &'st
             "it needs [[region]] or [profile]; otherwise leave `exact` out",
         )),
         Exact::Reference => Ok(()),
+        Exact::Channel if gas.regions.len() != 1 || gas.profile.is_some() => Err((
+            format!("the number of regions is {}", gas.regions.len()),
+            "it needs one region that fills the domain; otherwise leave `exact` out",
+        )),
+        Exact::Channel => Ok(()),
     }
 }
 

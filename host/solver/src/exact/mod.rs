@@ -1,5 +1,6 @@
 //! Exact solutions, one per file, shared by tests, pictures and studies.
 
+pub mod channel;
 pub mod diffusion;
 pub mod finite_volume;
 pub mod flow;

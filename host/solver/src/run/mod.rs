@@ -18,7 +18,7 @@ mod simulation;
 mod spread;
 
 pub use balance::Balance;
-pub(crate) use balance::inflow;
+pub(crate) use balance::{inflow, side};
 pub use complete::{Control, complete};
 pub(crate) use description::fields;
 pub use description::{Abscissa, Description, Field, Kind, View};

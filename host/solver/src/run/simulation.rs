@@ -1,5 +1,7 @@
 //! What every family of equations is seen as from outside.
 
+use std::collections::BTreeMap;
+
 use motes_core::digest::Digest;
 
 use super::balance::Balance;
@@ -174,6 +176,12 @@ pub trait Simulation: Send {
     fn balance(&self, outcome: &Outcome) -> Vec<Balance> {
         let _ = outcome;
         Vec::new()
+    }
+
+    /// The force of a gas on each of its walls at the end, by the name of the wall; empty without any.
+    fn wall_forces(&self, outcome: &Outcome) -> BTreeMap<String, Vec<f64>> {
+        let _ = outcome;
+        BTreeMap::new()
     }
 
     /// What summaries say beside what they say of all; `None` for nothing.

@@ -58,6 +58,8 @@ pub(super) fn description(plan: &Plan) -> Description {
     diagnostics.extend(turns.map(|&i| format!("angular_momentum_{}", axes[i])));
     let columns = columns(plan.opening.as_ref()).into_iter();
     diagnostics.extend(columns.map(|(_, column)| column));
+    diagnostics.extend(plan.force_columns().into_iter().map(|(_, column)| column));
+    diagnostics.extend(plan.work_column());
     Description {
         dimension,
         particles: plan.particles.len(),

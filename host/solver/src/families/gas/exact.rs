@@ -4,7 +4,7 @@ use crate::exact::flow::{Flow, FlowError, FlowState};
 use crate::exact::riemann::{GasState, RiemannError, RiemannFlow, RiemannSolution, between};
 use crate::exact::sedov::SedovProblem;
 use crate::exact::solution::Solution;
-use crate::flows::{profile_flow, reference};
+use crate::flows::{channel_flow, profile_flow, reference};
 use crate::scenario::{EquationOfState, Exact, Region, Scenario, Side};
 
 /// The fields that a solution has, in the order of tables and pictures.
@@ -65,6 +65,10 @@ impl ExactSolution {
             }
             Some(Exact::Sedov) => of(Box::new(sedov(scenario)?), None),
             Some(Exact::Reference) => of(Box::new(reference(scenario, progress)?), None),
+            Some(Exact::Channel) => match channel_flow(scenario)? {
+                Some(flow) => of(Box::new(flow), None),
+                None => None,
+            },
         };
         if let Some(solution) = &mut solution {
             let why = solution.felt(scenario);

@@ -14,6 +14,7 @@ mod packing;
 mod plan;
 mod planning;
 mod simulation;
+mod walls;
 
 pub use exact::{ExactError, ExactSolution, FIELDS};
 pub use memory::{GasArrays, OptionsArrays, PlainArrays};

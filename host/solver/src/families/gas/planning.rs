@@ -120,7 +120,10 @@ fn abscissa(scenario: &Scenario) -> Abscissa {
     match scenario.center() {
         Some(center) => Abscissa::From(center),
         None if scenario.dimension == 1 => Abscissa::Along(0),
-        None => Abscissa::Along(scenario.riemann_direction().unwrap_or(0)),
+        None => {
+            let channel = scenario.channel().ok();
+            Abscissa::Along(scenario.riemann_direction().or(channel).unwrap_or(0))
+        }
     }
 }
 

@@ -1,5 +1,7 @@
 //! A gas that is stepped.
 
+use std::collections::BTreeMap;
+
 use motes_core::cutoff::Named as NamedCutOff;
 use motes_core::digest::Digest;
 use motes_core::domain::Domain;
@@ -16,6 +18,7 @@ use super::limits::check_format;
 use super::memory::GasArrays;
 use super::opening::OpenSides;
 use super::plan::Plan;
+use super::walls::WallLedger;
 use crate::engine::{Holder, HostScalar, Threads};
 use crate::families::apart::{Frame, check_apart};
 use crate::run::{
@@ -65,6 +68,7 @@ struct GasSimulation<S: Scalar, P: Physics<S, D>, const D: usize> {
     stops: Stops<S>,
     lonely: Option<Lonely>,
     ledger: MassLedger,
+    walls: WallLedger<D>,
     holder: Holder,
     /// What the drifts of mass, momentum, angular momentum and energy are compared with.
     sizes: [f64; 4],
@@ -107,6 +111,7 @@ fn prepared<S: HostScalar, P: Physics<S, D> + Send + 'static, const D: usize>(
         stops: Stops::none(),
         lonely: None,
         ledger: MassLedger::default(),
+        walls: WallLedger::default(),
         holder: Holder::new(),
         sizes: [0.0; 4],
         description,
@@ -159,6 +164,7 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> GasSimulation<S, P,
             .solver()
             .prepare(engine, &mut gas, &mut work)
             .map_err(failed)?;
+        self.follow(0.0);
         self.watch();
         let mass = self.measures().sums[0].value[0];
         let plan = &self.setup.plan;
@@ -189,6 +195,25 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> GasSimulation<S, P,
             let squares = particle.velocity.iter().map(|u| u * u).sum::<f64>();
             particle.mass * (internal + 0.5 * squares + work)
         }))
+    }
+
+    /// Takes over what acts on the walls, a step of `dt` after the last time.
+    fn follow(&mut self, dt: f64) {
+        let pull = self.setup.plan.periodic_pull();
+        let (gas, work) = self.memory.parts();
+        let forces = self.setup.solver().wall_forces(&gas, &work);
+        let mut power = 0.0;
+        if pull.iter().any(|&component| component != 0.0) {
+            let along = |u: &[S; D]| {
+                u.iter()
+                    .zip(&pull)
+                    .map(|(u, g)| u.to_f64() * g)
+                    .sum::<f64>()
+            };
+            let rows = gas.mass.iter().zip(gas.velocity.iter());
+            power = compensated(rows.map(|(mass, u)| mass.to_f64() * along(u)));
+        }
+        self.walls.follow(forces, power, dt);
     }
 
     /// What an error of the solver is from here.
@@ -243,6 +268,12 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> GasSimulation<S, P,
             particle.velocity[i] = gas.velocity[id][i].to_f64() * units.velocity;
         }
         particle
+    }
+
+    /// The work from outside since the start, in the scenario's units.
+    fn work(&self) -> f64 {
+        let units = &self.setup.plan.units;
+        self.walls.work() * units.mass * units.energy()
     }
 
     /// The external acceleration in the scenario's units.
@@ -301,6 +332,9 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
         solver
             .advance(engine, &mut gas, &mut work, dt)
             .map_err(failed)?;
+        if self.setup.plan.is_worked() {
+            self.follow(dt.to_f64());
+        }
         if self.setup.plan.opening.is_some() {
             let (domain, gas) = (&self.setup.domain, &self.memory);
             self.ledger.close(domain, &gas.position, &gas.mass);
@@ -313,6 +347,12 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
             is_whole: dt < room.longest,
             evaluations: 1,
         }))
+    }
+
+    fn observe(&mut self, _: &mut Threads) -> Result<(), RunError> {
+        // Where nothing has to be followed the forces alone are of this moment.
+        self.follow(0.0);
+        Ok(())
     }
 
     fn places(&self) -> usize {
@@ -346,7 +386,13 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
     }
 
     fn measures(&self) -> Measures {
-        let pull = self.external();
+        let mut pull = self.external();
+        for (component, axis) in pull.iter_mut().zip(&self.setup.plan.axes) {
+            // No place along a circle is higher than another.
+            if axis.is_periodic() {
+                *component = 0.0;
+            }
+        }
         let mut sums = [Compensated::default(); 9];
         let mut spreads = [Spreading::default(); 4];
         for id in self.seen() {
@@ -402,6 +448,11 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
         let plan = &self.setup.plan;
         let columns = columns(plan.opening.as_ref()).into_iter();
         diagnostics.extend(columns.map(|(end, _)| self.ledger.mass(end) * plan.units.mass));
+        let unit = plan.units.mass * plan.units.velocity / plan.units.time();
+        let forces = plan.force_columns().into_iter();
+        diagnostics
+            .extend(forces.map(|((axis, end, i), _)| self.walls.forces.force[axis][end][i] * unit));
+        diagnostics.extend(plan.work_column().map(|_| self.work()));
         let values = [
             vec![mass],
             momentum.to_vec(),
@@ -413,6 +464,13 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
             diagnostics,
             sums: sums.map(|(value, size)| Sum { value, size }).collect(),
         }
+    }
+
+    fn expected(&self, mut first: Vec<Sum>) -> Vec<Sum> {
+        if let Some(energy) = first.last_mut().and_then(|sum| sum.value.first_mut()) {
+            *energy += self.work();
+        }
+        first
     }
 
     fn neighbours(&self) -> Spread {
@@ -434,6 +492,10 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
 
     fn digest_unordered(&mut self) -> Digest {
         self.memory.gas().digest_unordered()
+    }
+
+    fn wall_forces(&self, outcome: &Outcome) -> BTreeMap<String, Vec<f64>> {
+        self.setup.plan.wall_forces(&outcome.series)
     }
 
     fn balance(&self, outcome: &Outcome) -> Vec<Balance> {

@@ -2,9 +2,9 @@
 //! viscosity, and the energy in its other forms.
 
 use crate::cutoff::CutOff;
-use crate::error::Error;
+use crate::error::{Error, Quantity};
 use crate::material::EquationOfState;
-use crate::pairs::{Engine, Fields, Settled};
+use crate::pairs::{Engine, Fields, Settled, holds};
 use crate::scalar::Scalar;
 
 use super::dynamics::GasDynamics;
@@ -78,6 +78,11 @@ impl<S: Scalar, const D: usize> Physics<S, D> for Options<S, D> {
             cut_off: solver.cut_off,
             walls: options.walls,
         };
+        solver.proven(cloud.engine, || {
+            // What is made of the velocities of walls: twice their mean, or their sum.
+            let made = 2.0f64.max(D as f64) * options.walls.fastest();
+            holds::<S>(Quantity::Velocity, 0, made)
+        })?;
         // What pressure and pseudo-viscosity see is a mirror: their gradients are others.
         let are_two = sticks && options.switches();
         if are_two || !sticks {

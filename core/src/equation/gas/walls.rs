@@ -46,6 +46,20 @@ impl<S: Scalar, const D: usize> NoSlip<S, D> {
         *self.velocity.get(axis)?.get(end)?
     }
 
+    /// The first wall whose velocity is no number, or has a component across it: its direction and end.
+    pub(crate) fn invalid(&self) -> Option<(usize, usize)> {
+        for (axis, ends) in numbered(&self.velocity) {
+            for (end, velocity) in numbered(ends) {
+                let Some(velocity) = velocity else { continue };
+                let across = velocity.get(axis).is_some_and(|u| *u != S::ZERO);
+                if across || !velocity.iter().all(|u| u.is_finite()) {
+                    return Some((axis, end));
+                }
+            }
+        }
+        None
+    }
+
     /// The largest component of the velocities.
     pub(super) fn fastest(&self) -> f64 {
         let components = self.velocity.iter().flatten().flatten().flatten();

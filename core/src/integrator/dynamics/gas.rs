@@ -47,10 +47,18 @@ where
 
     fn ready(&self, _: Step<S>) -> Result<(), Error> {
         let acceleration = self.physics.plain().acceleration;
-        match acceleration.iter().all(|component| component.is_finite()) {
-            true => Ok(()),
-            false => Err(Error::Parameter {
+        if !acceleration.iter().all(|component| component.is_finite()) {
+            return Err(Error::Parameter {
                 parameter: Parameter::Acceleration,
+            });
+        }
+        match self.physics.no_slip().invalid() {
+            None => Ok(()),
+            Some((axis, end)) => Err(Error::Parameter {
+                parameter: Parameter::Wall {
+                    axis: axis as u8,
+                    end: end as u8,
+                },
             }),
         }
     }

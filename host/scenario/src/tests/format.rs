@@ -451,6 +451,15 @@ const FAULTS: &[Case] = &[
     ("sides = [\"periodic\", \"periodic\"]", "sides = [[\"mirror\", \"outflow\"], \"periodic\"]\n[outflow]\nvelocity = [-1.0, 0.0]", "velocity", "it goes out at the upper side along x", "a positive number along x"),
     ("sides = [\"periodic\", \"periodic\"]", "sides = [\"periodic\", [\"outflow\", \"mirror\"]]\n[outflow]\nvelocity = [0.0, 1.0]", "velocity", "it goes out at the lower side along y", "a negative number along y"),
     ("sides = [\"periodic\", \"periodic\"]", "sides = [\"outflow\", \"periodic\"]\n[outflow]\npresure = 1.0", "presure", "presure", "did you mean `pressure`?"),
+    // Walls.
+    ("sides = [\"periodic\", \"periodic\"]", "sides = [\"periodic\", \"periodic\"]\n[diffusion]\nviscosity = 0.1\n[[wall]]\naxis = \"y\"\nend = \"upper\"\nslip = \"none\"", "end", "there is no wall at the upper side along y", "set the side along y in domain.sides to"),
+    ("sides = [\"periodic\", \"periodic\"]", "sides = [\"periodic\", \"mirror\"]\n[[wall]]\naxis = \"y\"\nend = \"upper\"\nslip = \"none\"", "slip", "wall.0.slip = \"none\" does not fit: diffusion.viscosity = 0", "give `viscosity` in [diffusion]"),
+    ("sides = [\"periodic\", \"periodic\"]", "sides = [\"periodic\", \"mirror\"]\n[diffusion]\nviscosity = 0.1\n[[wall]]\naxis = \"y\"\nend = \"upper\"\nslip = \"none\"\nvelocity = [1.0, 0.5]", "velocity", "wall.0.velocity = [1.0, 0.5] does not fit: the wall lies across y", "make the component along y 0"),
+    ("sides = [\"periodic\", \"periodic\"]", "sides = [\"periodic\", \"mirror\"]\n[diffusion]\nviscosity = 0.1\n[[wall]]\naxis = \"y\"\nend = \"upper\"\nslip = \"none\"\nvelocity = [1.0]", "velocity", "wall.0.velocity has length 1", "dimension = 2"),
+    ("sides = [\"periodic\", \"periodic\"]", "sides = [\"periodic\", \"mirror\"]\n[diffusion]\nviscosity = 0.1\n[[wall]]\naxis = \"y\"\nend = \"upper\"\nslip = \"free\"\nvelocity = [1.0, 0.0]", "velocity", "free has no velocity", "free takes"),
+    ("sides = [\"periodic\", \"periodic\"]", "sides = [\"periodic\", \"mirror\"]\n[diffusion]\nviscosity = 0.1\n[[wall]]\naxis = \"y\"\nend = \"upper\"\nslip = \"some\"", "slip", "wall.0.slip = \"some\"", "known: none, free"),
+    ("sides = [\"periodic\", \"periodic\"]", "sides = [\"periodic\", \"mirror\"]\n[diffusion]\nviscosity = 0.1\n[[wall]]\naxis = \"y\"\nend = \"upper\"\nslip = \"none\"\n[[wall]]\naxis = \"y\"\nend = \"upper\"\nslip = \"none\"", "end", "wall.1.end = \"upper\" does not fit: wall 0 is the same one", "keep one of the two"),
+    ("sides = [\"periodic\", \"periodic\"]", "sides = [\"periodic\", \"mirror\"]\n[diffusion]\nviscosity = 0.1\n[[wall]]\naxis = \"y\"\nend = \"upper\"\nslip = \"none\"\n[output]\nexact = \"channel\"", "exact", "there are no two walls that the gas sticks to", "both ends of one direction"),
     // Regions, profiles, deposits.
     ("lower = [0.0, 0.0]\nupper = [1.0, 1.0]\ndensity", "center = [0.5, 0.5]\nradius = 0.1\nupper = [1.0, 1.0]\ndensity", "upper", "a ball has no upper", "a ball takes center, radius"),
     ("lower = [0.0, 0.0]\nupper = [1.0, 1.0]\ndensity", "center = [0.5, 0.5]\ndensity", "[[region]]", "`radius` is missing in [[region]] 0", "`radius = 0.1`"),
@@ -751,4 +760,30 @@ fn tolerances_take_every_field_and_norm_that_json_gives() {
         );
     }
     assert!(sod(&[&of("momentum")]).is_ok());
+}
+
+#[test]
+fn walls_that_a_gas_sticks_to_are_read() {
+    let wall = |rest: &str| format!("[[wall]]\naxis = \"y\"\n{rest}\n");
+    let lower = wall("end = \"lower\"\nslip = \"none\"");
+    let upper = wall("end = \"upper\"\nslip = \"none\"\nvelocity = [2.0, 0.0]");
+    let sides = "sides = [\"periodic\", \"mirror\"]\n[diffusion]\nviscosity = 0.1\n";
+    let text = changed(&[(
+        "sides = [\"periodic\", \"periodic\"]",
+        &format!("{sides}{lower}{upper}"),
+    )]);
+    let scenario = File::new(&text).read(&[]).unwrap();
+    assert_eq!(scenario.walls[0], [None, None]);
+    assert_eq!(scenario.walls[1], [Some(vec![0.0; 2]), Some(vec![2.0, 0.0])]);
+    assert_eq!(scenario.channel(), Ok(1));
+    let slower = File::new(&text).read(&["wall.1.velocity=[0.5, 0.0]"]).unwrap();
+    assert_eq!(slower.walls[1][1], Some(vec![0.5, 0.0]));
+    let free = File::new(&text).read(&["wall.0.slip=free"]).unwrap();
+    assert_eq!(free.walls[1][0], None);
+    // Nothing lies along the wall of a tube.
+    let error = sod(&["diffusion.viscosity=0.1", "wall.0.slip=none"]).unwrap_err();
+    assert_report_holds(&error, &["wall.0"]);
+    let tube = format!("{SOD}\n[diffusion]\nviscosity = 0.1\n{}", lower.replace("\"y\"", "\"x\""));
+    let error = File::new(tube).read(&[]).unwrap_err();
+    assert_report_holds(&error, &["dimension = 1: nothing lies along a wall", "take this [[wall]] out"]);
 }

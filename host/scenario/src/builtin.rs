@@ -41,6 +41,9 @@ built_in! {
     "gresho" 20.0
     "kelvin-helmholtz" 20.0
     "square" 0.5
+    "couette" 1.0
+    "poiseuille" 1.0
+    "cavity" 30.0
     "shock-bubble" 10.0
     "wind-tunnel" 0.5
     "sod3d" 90.0

@@ -9,7 +9,7 @@ use motes_core::digest::Digest;
 use motes_core::domain::Side;
 use motes_core::equation::gas::viscosity::{Coefficients, GingoldMonaghan, Pairwise, VonNeumann};
 use motes_core::equation::gas::{
-    Diffusion, EnergyForm, Options, Physics, Plain, Switch, Viscosity, Weights, Width,
+    Diffusion, EnergyForm, NoSlip, Options, Physics, Plain, Switch, Viscosity, Weights, Width,
 };
 use motes_core::error::Error;
 use motes_core::neighbours::Cells;
@@ -133,6 +133,13 @@ fn everything<S: Scalar, const D: usize>(form: usize, by_number: bool) -> Option
             viscosity: S::from_f64(0.05),
             bulk_viscosity: S::from_f64(0.02),
             heat: S::from_f64(0.08),
+        },
+        // Some walls that the gas sticks to, where there are any.
+        walls: NoSlip {
+            velocity: std::array::from_fn(|axis| {
+                let speed = |i: usize| if i == axis { 0.0 } else { 0.125 };
+                [Some(std::array::from_fn(|i| S::from_f64(speed(i)))), None]
+            }),
         },
     }
 }

@@ -1,5 +1,6 @@
 //! What is measured of a run beside its errors against the exact solution.
 
+use super::cavity::{Moving, deviation};
 use crate::exact::kelvin_helmholtz::{GROWTH_RATE, ModeSample, mode_amplitude};
 use crate::experiment::Experiment;
 use crate::families::gas::ExactSolution;
@@ -39,6 +40,13 @@ pub enum Measure {
     },
     /// The relative error of the growth rate of the Kelvin-Helmholtz mode.
     Growth {
+        /// The most.
+        most: f64,
+        /// Why.
+        reason: &'static str,
+    },
+    /// The largest deviation of the cavity's velocities along its middle lines, in those of the lid.
+    Cavity {
         /// The most.
         most: f64,
         /// Why.
@@ -99,6 +107,7 @@ impl Measure {
                 let error = (growth.rate() / GROWTH_RATE - 1.0).abs();
                 ("growth rate", error, most, reason)
             }
+            Self::Cavity { most, reason } => ("middle lines", cavity(experiment), most, reason),
             Self::Corners { most, reason } => ("corners", corners(experiment), most, reason),
             Self::Order { .. } => return None,
         };
@@ -133,6 +142,21 @@ fn particles(simulation: &dyn Simulation, heading: &str) -> Vec<([f64; 3], f64, 
     let rows = places.into_iter().zip(column);
     rows.map(|((position, volume), value)| (position, volume, value))
         .collect()
+}
+
+/// The largest deviation from the velocities of others in a unit square under a lid of velocity 1.
+fn cavity(experiment: &Experiment) -> f64 {
+    let Some(scenario) = gas(experiment) else {
+        return f64::NAN;
+    };
+    let simulation = &*experiment.simulation;
+    let across = particles(simulation, "velocity_x");
+    let along = particles(simulation, "velocity_y");
+    let rows = across.iter().zip(&along);
+    let moving: Vec<Moving> = rows
+        .map(|(&([x, y, _], _, u), &(.., v))| ([x, y], [u, v]))
+        .collect();
+    deviation(&moving, 1.0 / scenario.diffusion.viscosity)
 }
 
 /// `max |p/p* - 1|` over the particles near the contact.

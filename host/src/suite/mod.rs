@@ -5,6 +5,7 @@
 //! else is measured is a row of [`CASES`].
 
 mod cases;
+mod cavity;
 mod measure;
 
 pub use cases::{CASES, Case};

@@ -774,16 +774,30 @@ fn walls_that_a_gas_sticks_to_are_read() {
     )]);
     let scenario = File::new(&text).read(&[]).unwrap();
     assert_eq!(scenario.walls[0], [None, None]);
-    assert_eq!(scenario.walls[1], [Some(vec![0.0; 2]), Some(vec![2.0, 0.0])]);
+    assert_eq!(
+        scenario.walls[1],
+        [Some(vec![0.0; 2]), Some(vec![2.0, 0.0])]
+    );
     assert_eq!(scenario.channel(), Ok(1));
-    let slower = File::new(&text).read(&["wall.1.velocity=[0.5, 0.0]"]).unwrap();
+    let slower = File::new(&text)
+        .read(&["wall.1.velocity=[0.5, 0.0]"])
+        .unwrap();
     assert_eq!(slower.walls[1][1], Some(vec![0.5, 0.0]));
     let free = File::new(&text).read(&["wall.0.slip=free"]).unwrap();
     assert_eq!(free.walls[1][0], None);
     // Nothing lies along the wall of a tube.
     let error = sod(&["diffusion.viscosity=0.1", "wall.0.slip=none"]).unwrap_err();
     assert_report_holds(&error, &["wall.0"]);
-    let tube = format!("{SOD}\n[diffusion]\nviscosity = 0.1\n{}", lower.replace("\"y\"", "\"x\""));
+    let tube = format!(
+        "{SOD}\n[diffusion]\nviscosity = 0.1\n{}",
+        lower.replace("\"y\"", "\"x\"")
+    );
     let error = File::new(tube).read(&[]).unwrap_err();
-    assert_report_holds(&error, &["dimension = 1: nothing lies along a wall", "take this [[wall]] out"]);
+    assert_report_holds(
+        &error,
+        &[
+            "dimension = 1: nothing lies along a wall",
+            "take this [[wall]] out",
+        ],
+    );
 }

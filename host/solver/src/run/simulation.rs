@@ -106,7 +106,8 @@ pub trait Simulation: Send {
     /// What [`RunError`] lists. The state is that of a step that was not finished then.
     fn step(&mut self, engine: &mut Threads) -> Result<Option<Step>, RunError>;
 
-    /// Counts neighbours where steps do not.
+    /// Counts neighbours, and sums the forces on walls, where steps do not: [`Simulation::measures`] tells
+    /// those of the last time.
     ///
     /// # Errors
     /// Of the solver.

@@ -153,9 +153,9 @@ fn what_is_of_convection_diffusion_is_refused_elsewhere() {
     let uniform = LINE.replace("\"exp-sine\"", "\"uniform\"\nstate = [1.0, 0.0]");
     let error = linear(&uniform, &[]).unwrap_err();
     assert_report_holds(&error, &["acoustics has no such state"]);
-    let gas = File::new(format!("{SOD}[[wall]]\naxis = \"x\"\n"));
+    let gas = File::new(format!("{SOD}[[wall]]\naxis = \"x\"\nkind = \"value\"\n"));
     let error = gas.read(&[]).unwrap_err();
-    assert_report_holds(&error, &["`wall` at the top", "goes with a linear system"]);
+    assert_report_holds(&error, &["`kind` in [[wall]]", "goes with a linear system"]);
 }
 
 /// A tensor of rank one is on the edge of what is allowed, whatever rounding makes of it.

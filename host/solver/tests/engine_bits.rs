@@ -141,6 +141,7 @@ fn everything<S: Scalar, const D: usize>(form: usize, by_number: bool) -> Option
                 [Some(std::array::from_fn(|i| S::from_f64(speed(i)))), None]
             }),
         },
+        background: S::from_f64(0.05),
     }
 }
 

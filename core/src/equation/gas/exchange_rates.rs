@@ -39,7 +39,7 @@ impl<S: Scalar, const D: usize> Physics<S, D> for Options<S, D> {
         Extras {
             pressure: state.pressure,
             specific_volume: S::ONE / (state.density * state.moment),
-            energy: state.energy,
+            energy: state.energy - self.background / state.density,
             material: S::count(u32::from(state.material)),
             linear: S::ONE,
             factor: S::ONE,

@@ -93,6 +93,9 @@ pub struct Options<S, const D: usize> {
     pub diffusion: Diffusion<S>,
     /// The walls that the gas sticks to; they act by the physical viscosity.
     pub walls: NoSlip<S, D>,
+    /// A pressure `p_0` that the materials leave out: theirs is `p - p_0`, and their energy `e + p_0/ρ`, so that
+    /// the work of the one is the change of the other. Heat is conducted along e.
+    pub background: S,
 }
 
 impl<S: Scalar> Diffusion<S> {
@@ -120,6 +123,7 @@ impl<S: Scalar, const D: usize> Options<S, D> {
         conduction: S::ZERO,
         diffusion: Diffusion::OFF,
         walls: NoSlip::NONE,
+        background: S::ZERO,
     };
 
     /// Whether anything but the viscous stress needs the gradients of velocities.

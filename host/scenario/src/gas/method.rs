@@ -1,8 +1,11 @@
 //! What acts on the particles beside the pressure, and the steps of time.
 
 use crate::bound::{COURANT, DAMPING, NOT_NEGATIVE, POSITIVE};
+use crate::entry::Entry;
 use crate::error::Fault;
+use crate::geometry::AXES;
 use crate::section::Section;
+use crate::{Domain, Side};
 
 /// What a particle's weight in the sums is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -62,6 +65,15 @@ pub struct Diffusion {
     pub bulk_viscosity: f64,
     /// Thermal diffusivity, >= 0.
     pub heat: f64,
+}
+
+/// What pushes and pulls beside the differences of pressure.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Force {
+    /// Length / time^2, of everything.
+    pub acceleration: Vec<f64>,
+    /// The pressure that forces leave out, >= 0.
+    pub background: f64,
 }
 
 /// How long, and in what steps.
@@ -190,11 +202,46 @@ pub(super) fn diffusion(root: &Section<'_>) -> Result<Diffusion, Fault> {
     })
 }
 
-/// `[force]`: the acceleration of everything.
-pub(super) fn acceleration(root: &Section<'_>, dimension: usize) -> Result<Vec<f64>, Fault> {
-    match root.optional("force") {
-        Some(entry) => entry.section()?.required("acceleration")?.vector(dimension),
-        None => Ok(vec![0.0; dimension]),
+/// `[force]`.
+pub(super) fn force(root: &Section<'_>, domain: &Domain) -> Result<Force, Fault> {
+    let none = vec![0.0; domain.extent.lower.len()];
+    let Some(entry) = root.optional("force") else {
+        return Ok(Force {
+            acceleration: none,
+            background: 0.0,
+        });
+    };
+    let section = entry.section()?;
+    let background = section.optional("background");
+    let acceleration = match section.optional("acceleration") {
+        Some(entry) => entry.vector(none.len())?,
+        None if background.is_some() => none,
+        None => return Err(section.missing("acceleration")),
+    };
+    let background = background.map_or(Ok(0.0), |entry| background_pressure(&entry, domain))?;
+    Ok(Force {
+        acceleration,
+        background,
+    })
+}
+
+/// A pressure that pushes equally from all sides: not where a side leaves the gas without a partner.
+fn background_pressure(entry: &Entry<'_>, domain: &Domain) -> Result<f64, Fault> {
+    let background = entry.number(NOT_NEGATIVE)?;
+    let is_closed = |side: &Side| matches!(side, Side::Periodic | Side::Mirror);
+    let open = domain
+        .sides
+        .iter()
+        .position(|sides| !sides.iter().all(is_closed));
+    match open.filter(|_| background > 0.0) {
+        None => Ok(background),
+        Some(axis) => Err(entry.does_not_fit(
+            format!(
+                "the domain is open along {}, and what lies beyond pushes with all of its pressure",
+                AXES[axis]
+            ),
+            "take `background` out, or make all sides \"periodic\" or \"mirror\"",
+        )),
     }
 }
 

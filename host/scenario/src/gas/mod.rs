@@ -73,6 +73,8 @@ pub struct Scenario {
     pub walls: NoSlipWalls,
     /// Acceleration of everything.
     pub acceleration: Vec<f64>,
+    /// The pressure that the forces between particles leave out, >= 0; 0 for none.
+    pub background: f64,
     /// How long, and in what steps.
     pub time: Time,
     /// What is written and measured.
@@ -139,6 +141,7 @@ pub(super) fn scenario(
     let section = |key| root.required(key)?.section();
     let heading = heading::heading(root)?;
     let (dimension, domain) = (heading.dimension, heading.domain);
+    let force = method::force(root, &domain)?;
     let gas = state(root, &domain)?;
     let resolution = resolution::resolution(
         &section("resolution")?,
@@ -173,7 +176,8 @@ pub(super) fn scenario(
         viscosity: method::viscosity(root)?,
         conduction: method::conduction(root)?,
         diffusion,
-        acceleration: method::acceleration(root, dimension)?,
+        acceleration: force.acceleration,
+        background: force.background,
         time: method::time(&section("time")?)?,
         tolerances: tolerance::of_gas(root, output.exact.is_some())?,
         output,

@@ -141,7 +141,10 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
     ),
     (
         "force",
-        &[key("acceleration", "acceleration = [0.0, -9.81]")],
+        &[
+            key("acceleration", "acceleration = [0.0, -9.81]"),
+            key("background", "background = 1.0"),
+        ],
     ),
     (
         "time",

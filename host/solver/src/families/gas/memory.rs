@@ -134,6 +134,14 @@ impl<S: Scalar, X: Fields<S>, const D: usize> GasArrays<S, X, D> {
         self.material.push(particle.material);
     }
 
+    /// Makes `e + p_0/ρ` of energies e.
+    pub(super) fn energize(&mut self, given: &[S], background: f64, densities: Vec<S>) {
+        let energies = self.energy.iter_mut().zip(given).zip(densities);
+        for ((energy, given), density) in energies {
+            *energy = S::from_f64(given.to_f64() + background / density.to_f64());
+        }
+    }
+
     /// What the solver makes of a particle, beside its density and force.
     fn made(&mut self) -> [&mut Vec<S>; 8] {
         [

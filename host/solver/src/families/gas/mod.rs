@@ -1,5 +1,6 @@
 //! Gas dynamics.
 
+mod background;
 mod balance;
 mod contact;
 mod description;

@@ -9,8 +9,10 @@ use motes_core::equation::gas::{
     Diffusion, GasDynamics, NoSlip, Options, Particle, Plain, Stretch, Switch, Tube, Width,
 };
 use motes_core::material::{IdealGas, Isothermal, Named as NamedMaterial, StiffenedGas, Tait};
+use motes_core::pairs::Fields;
 use motes_core::scalar::Scalar;
 
+use super::memory::GasArrays;
 use super::opening::OpenSides;
 use crate::run::Abscissa;
 use crate::scenario::{EquationOfState, Viscosity, ViscosityKind};
@@ -124,6 +126,7 @@ impl Plan {
                 bulk_viscosity: S::from_f64(options.diffusion.bulk_viscosity),
                 heat: S::from_f64(options.diffusion.heat),
             },
+            background: S::from_f64(options.background),
             walls: self.no_slip(),
         }
     }
@@ -193,6 +196,24 @@ impl Plan {
                 };
                 particle.rounded()
             })
+    }
+
+    /// The densities that the widths at the start stand for.
+    pub(super) fn expected_densities<S: Scalar, X: Fields<S>, const D: usize>(
+        &self,
+        memory: &GasArrays<S, X, D>,
+    ) -> Vec<S> {
+        let eta = match self.width {
+            Width::Adaptive { eta, .. } => eta,
+            Width::Constant { .. } => 1.0,
+        };
+        let particles = memory.mass.iter().zip(&memory.epsilon);
+        particles
+            .map(|(mass, epsilon)| {
+                let spacing = epsilon.to_f64() / eta;
+                S::from_f64(mass.to_f64() / Scalar::powi(spacing, D))
+            })
+            .collect()
     }
 
     /// The tube that a device can be given, where the run is one.

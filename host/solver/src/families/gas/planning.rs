@@ -5,6 +5,7 @@ use motes_core::equation::gas::{
     Diffusion, EnergyForm, Far, NoSlip, Options, Particle, Plain, Stretch, Switch, Weights, Width,
 };
 
+use super::background::without;
 use super::fitness::{check_reach, check_units};
 use super::opening::OpenSides;
 use super::packing::packing;
@@ -262,6 +263,7 @@ impl Frame<'_> {
                 bulk_viscosity: scenario.diffusion.bulk_viscosity / diffusivity,
                 heat: scenario.diffusion.heat / diffusivity,
             },
+            background: scenario.background / (units.density() * units.energy()),
             walls: self.no_slip(),
         }
     }
@@ -280,7 +282,7 @@ impl Frame<'_> {
 
     fn material(&self, law: &EquationOfState) -> EquationOfState {
         let pressure = self.units.density() * self.units.energy();
-        match *law {
+        match without(law, self.scenario.background) {
             EquationOfState::IdealGas { gamma } => EquationOfState::IdealGas { gamma },
             EquationOfState::StiffenedGas {
                 gamma,

@@ -159,11 +159,22 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> GasSimulation<S, P,
                 .fill(&self.setup.domain, &mut self.memory)
                 .map_err(failed)?;
         }
-        let (mut gas, mut work) = self.memory.parts();
-        self.setup
-            .solver()
-            .prepare(engine, &mut gas, &mut work)
-            .map_err(failed)?;
+        let mut prepare = |memory: &mut GasArrays<S, P::Shown, D>| {
+            let (mut gas, mut work) = memory.parts();
+            let solver = self.setup.solver();
+            solver.prepare(engine, &mut gas, &mut work).map_err(failed)
+        };
+        let background = self.setup.plan.options.background;
+        if background > 0.0 {
+            // What is given is e, and e + p_0/ρ takes the densities, which the sums make.
+            let given = self.memory.energy.clone();
+            let expected = self.setup.plan.expected_densities(&self.memory);
+            self.memory.energize(&given, background, expected);
+            prepare(&mut self.memory)?;
+            let summed = self.memory.density.clone();
+            self.memory.energize(&given, background, summed);
+        }
+        prepare(&mut self.memory)?;
         self.follow(0.0);
         self.watch();
         let mass = self.measures().sums[0].value[0];
@@ -216,6 +227,13 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> GasSimulation<S, P,
         self.walls.follow(forces, power, dt);
     }
 
+    /// Of the domain, in the scenario's units.
+    fn volume(&self) -> f64 {
+        let plan = &self.setup.plan;
+        let lengths = plan.axes[..D].iter().map(|axis| axis.upper - axis.lower);
+        lengths.map(|length| length * plan.units.length).product()
+    }
+
     /// What an error of the solver is from here.
     fn failed(&self) -> impl Fn(Error) -> RunError + Copy + use<S, P, D> {
         let (time, step) = (self.time(), self.clock.steps);
@@ -253,13 +271,14 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> GasSimulation<S, P,
         let (density, energy) = (gas.density[id], gas.energy[id]);
         let law = &self.setup.materials[usize::from(gas.material[id])];
         let pressure = law.pressure(density, energy);
+        let (background, mass_density) = (self.background(), density.to_f64() * units.density());
         let mut particle = Particle {
             position: [0.0; 3],
             velocity: [0.0; 3],
             mass: gas.mass[id].to_f64() * units.mass,
-            density: density.to_f64() * units.density(),
-            pressure: pressure.to_f64() * units.density() * units.energy(),
-            energy: energy.to_f64() * units.energy(),
+            density: mass_density,
+            pressure: pressure.to_f64() * units.density() * units.energy() + background,
+            energy: energy.to_f64() * units.energy() - background / mass_density,
             sound_speed: law.sound_speed(density, energy).to_f64() * units.velocity,
         };
         for i in 0..D {
@@ -274,6 +293,12 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> GasSimulation<S, P,
     fn work(&self) -> f64 {
         let units = &self.setup.plan.units;
         self.walls.work() * units.mass * units.energy()
+    }
+
+    /// The pressure that the materials leave out, in the scenario's units.
+    fn background(&self) -> f64 {
+        let (plan, units) = (&self.setup.plan, &self.setup.plan.units);
+        plan.options.background * (units.density() * units.energy())
     }
 
     /// The external acceleration in the scenario's units.
@@ -386,7 +411,7 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
     }
 
     fn measures(&self) -> Measures {
-        let mut pull = self.external();
+        let (mut pull, background) = (self.external(), self.background());
         for (component, axis) in pull.iter_mut().zip(&self.setup.plan.axes) {
             // No place along a circle is higher than another.
             if axis.is_periodic() {
@@ -420,7 +445,7 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
                 turn(0),
                 turn(1),
                 turn(2),
-                mass * energy + kinetic - mass * along,
+                mass * (energy + background / density) + kinetic - mass * along,
                 kinetic,
             ];
             sums.iter_mut()
@@ -435,6 +460,8 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
                 .for_each(|(spread, value)| spread.add(value));
         }
         let [mass, px, py, pz, lx, ly, lz, energy, kinetic] = sums.map(|sum| sum.value());
+        // What forces conserve: the particles' volumes sum to that of the domain but for their noise.
+        let energy = energy - background * self.volume();
         let (momentum, angular) = ([px, py, pz], [lx, ly, lz]);
         let mut diagnostics = vec![mass];
         diagnostics.extend(&momentum[..D]);

@@ -40,6 +40,7 @@ built_in! {
     "yee-vortex" 3.0
     "gresho" 20.0
     "kelvin-helmholtz" 20.0
+    "taylor-green" 20.0
     "square" 0.5
     "couette" 1.0
     "poiseuille" 1.0

@@ -8,6 +8,7 @@ use crate::exact::kelvin_helmholtz;
 use crate::exact::moving_centre::MovingCentre;
 use crate::exact::noh::NohProblem;
 use crate::exact::sound_wave::SoundWaveProblem;
+use crate::exact::taylor_green::TaylorGreenProblem;
 use crate::exact::yee_vortex::YeeVortexProblem;
 use crate::scenario::{EquationOfState, Profile, Scenario, Side};
 
@@ -79,6 +80,22 @@ pub fn profile_flow(scenario: &Scenario) -> Result<Option<Box<dyn Flow>>, FlowEr
             .solve()?,
         )),
         Profile::KelvinHelmholtz => None,
+        &Profile::TaylorGreen {
+            density,
+            speed,
+            pressure,
+        } => Some(Box::new(
+            TaylorGreenProblem {
+                gamma,
+                density,
+                speed,
+                pressure,
+                viscosity: scenario.diffusion.viscosity,
+                corner: [extent.lower[0], extent.lower[1]],
+                lengths: [length(0), length(1)],
+            }
+            .solve()?,
+        )),
     })
 }
 

@@ -52,6 +52,13 @@ pub enum Measure {
         /// Why.
         reason: &'static str,
     },
+    /// The relative error of the rate at which kinetic energy decays, over the whole run.
+    Decay {
+        /// The most.
+        most: f64,
+        /// Why.
+        reason: &'static str,
+    },
     /// How far the corners of the square have receded, in spacings.
     Corners {
         /// The most.
@@ -108,6 +115,7 @@ impl Measure {
                 ("growth rate", error, most, reason)
             }
             Self::Cavity { most, reason } => ("middle lines", cavity(experiment), most, reason),
+            Self::Decay { most, reason } => ("decay rate", decay(experiment), most, reason),
             Self::Corners { most, reason } => ("corners", corners(experiment), most, reason),
             Self::Order { .. } => return None,
         };
@@ -205,6 +213,26 @@ fn shock_radius(experiment: &Experiment, exact_radius: f64) -> f64 {
             let (above, below) = (means[ring], means[ring + 1]);
             centre(ring) + (above - half) / (above - below) * spacing
         })
+}
+
+/// `|r/R - 1|` of the rate r at which kinetic energy decays and that of the exact solution, R, at the places and with
+/// the volumes of the particles.
+fn decay(experiment: &Experiment) -> f64 {
+    let outcome = &experiment.outcome;
+    let energies = outcome.series.of("kinetic_energy");
+    let (Some(exact), [first, .., last]) = (exact(experiment), &energies[..]) else {
+        return f64::NAN;
+    };
+    let particles = particles(&*experiment.simulation, "density");
+    let right: f64 = particles
+        .iter()
+        .map(|(position, volume, _)| {
+            let state = exact.state(*position, outcome.time);
+            let squares = state.velocity.iter().map(|u| u * u).sum::<f64>();
+            0.5 * volume * state.density * squares
+        })
+        .sum();
+    (libm::log(first / last) / libm::log(first / right) - 1.0).abs()
 }
 
 /// The largest distance of a corner of the square from the nearest particle of it, in

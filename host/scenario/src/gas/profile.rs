@@ -49,6 +49,16 @@ pub enum Profile {
     /// The shear layer of McNally, Lyra & Passy, Astrophys. J. Suppl. 201 (2012) 18;
     /// two-dimensional, in the unit square.
     KelvinHelmholtz,
+    /// Vortices that turn against their neighbours and decay by viscosity (Taylor & Green, Proc. R. Soc.
+    /// Lond. A 158 (1937) 499); two-dimensional, one wave of the domain along each direction.
+    TaylorGreen {
+        /// > 0.
+        density: f64,
+        /// The largest along x, > 0.
+        speed: f64,
+        /// Its mean, > 0.
+        pressure: f64,
+    },
 }
 
 impl Profile {
@@ -60,12 +70,16 @@ impl Profile {
             Self::YeeVortex { .. } => "yee-vortex",
             Self::Gresho { .. } => "gresho",
             Self::KelvinHelmholtz => "kelvin-helmholtz",
+            Self::TaylorGreen { .. } => "taylor-green",
         }
     }
 
     /// Whether its density is the same everywhere.
     pub fn is_uniform(&self) -> bool {
-        matches!(self, Self::Noh { .. } | Self::Gresho { .. })
+        matches!(
+            self,
+            Self::Noh { .. } | Self::Gresho { .. } | Self::TaylorGreen { .. }
+        )
     }
 
     /// Whether the state at later times is known.
@@ -75,12 +89,13 @@ impl Profile {
 }
 
 /// The names of the profiles, with the keys that each takes.
-const KINDS: [(&str, &[&str]); 5] = [
+const KINDS: [(&str, &[&str]); 6] = [
     ("noh", &["density", "speed", "pressure"]),
     ("sound-wave", &["amplitude", "density", "pressure"]),
     ("yee-vortex", &["strength", "velocity"]),
     ("gresho", &["velocity", "mach"]),
     ("kelvin-helmholtz", &[]),
+    ("taylor-green", &["density", "speed", "pressure"]),
 ];
 
 /// `[profile]`.
@@ -126,6 +141,11 @@ pub(super) fn profile(
                 pressure: number("pressure", POSITIVE)?,
             }
         }
+        "taylor-green" => Profile::TaylorGreen {
+            density: number("density", POSITIVE)?,
+            speed: number("speed", POSITIVE)?,
+            pressure: number("pressure", POSITIVE)?,
+        },
         "yee-vortex" => Profile::YeeVortex {
             strength: strength(&section.required("strength")?, gamma)?,
             velocity: velocity(&section, dimension)?,

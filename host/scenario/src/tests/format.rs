@@ -300,6 +300,14 @@ fn every_profile_reads() {
             },
         ),
         ("kind = \"kelvin-helmholtz\"", Profile::KelvinHelmholtz),
+        (
+            "kind = \"taylor-green\"\ndensity = 1.0\nspeed = 0.5\npressure = 9.0",
+            Profile::TaylorGreen {
+                density: 1.0,
+                speed: 0.5,
+                pressure: 9.0,
+            },
+        ),
     ];
     for (text, profile) in cases {
         let text = with_profile(&format!("[profile]\n{text}\n"));

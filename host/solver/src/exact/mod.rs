@@ -15,4 +15,5 @@ pub mod riemann;
 pub mod sedov;
 pub mod solution;
 pub mod sound_wave;
+pub mod taylor_green;
 pub mod yee_vortex;

@@ -1,7 +1,9 @@
 //! Why a gas may not be at rest, or not resolved, where it starts.
 
+mod slow;
+
 use super::contact::unheld_contact;
-use crate::scenario::{Arrangement, Ball, Exact, Region, Scenario, Side};
+use crate::scenario::{Arrangement, Ball, Exact, Profile, Region, Scenario, Side};
 use crate::setup::Placed;
 
 /// Spacings across a region below which its waves are not resolved.
@@ -18,6 +20,8 @@ pub(super) fn doubts(scenario: &Scenario, placed: &[Placed]) -> Vec<String> {
         .chain(uneven_walls(scenario))
         .chain(melting(scenario))
         .chain(other_equations(scenario))
+        .chain(slow::solid(scenario, placed))
+        .chain(slow::pulled(scenario, placed))
         .collect()
 }
 
@@ -27,13 +31,14 @@ fn other_equations(scenario: &Scenario) -> Option<String> {
         return None;
     }
     let diffusion = &scenario.diffusion;
-    let diffuses = [
-        diffusion.viscosity,
-        diffusion.bulk_viscosity,
-        diffusion.heat,
-    ]
-    .iter()
-    .any(|&diffusivity| diffusivity > 0.0);
+    let viscosities = match scenario.profile {
+        // Its solution has both: nothing is compressed.
+        Some(Profile::TaylorGreen { .. }) => [0.0; 2],
+        _ => [diffusion.viscosity, diffusion.bulk_viscosity],
+    };
+    let diffuses = [viscosities[0], viscosities[1], diffusion.heat]
+        .iter()
+        .any(|&diffusivity| diffusivity > 0.0);
     let is_heavy = scenario
         .acceleration
         .iter()

@@ -241,6 +241,17 @@ const BAD_INPUT: &[(&[&str], &[&str])] = &[
             "run",
             "sod",
             "--set",
+            "gradient.kind=linear-exact",
+            "--scalar",
+            "q12.19",
+        ],
+        &["gradient.kind", "q12.19", "--scalar f64"],
+    ),
+    (
+        &[
+            "run",
+            "sod",
+            "--set",
             "region.0.density=1e250",
             "--set",
             "region.1.density=1e250",

@@ -87,9 +87,9 @@ pub use cut_off::{CutOff, Width, fineness};
 pub use domain::{Ball, Domain, Extent, Side};
 pub use error::ScenarioError;
 pub use gas::{
-    Anchor, Arrangement, Deposit, Diffusion, EnergyRule, EquationOfState, Exact, Inflow, Material,
-    NoSlipWalls, Outflow, Output, Profile, Region, Resolution, Ring, Scenario, Share, Switch, Time,
-    Viscosity, ViscosityKind, Weights,
+    Anchor, Arrangement, Deposit, Diffusion, EnergyRule, EquationOfState, Exact, GradientKind,
+    Inflow, Material, NoSlipWalls, Outflow, Output, Profile, Region, Resolution, Ring, Scenario,
+    Share, Switch, Time, Viscosity, ViscosityKind, Weights,
 };
 pub use heading::Units;
 pub use keys::Family;

@@ -108,7 +108,10 @@ fn is_conserved<const D: usize>(cloud: &Cloud, second: Named<f64>) {
             let sides: [[Side; 2]; D] = [sides::<1>(kind)[0]; D];
             for (options, viscosity) in [
                 (
-                    everything(energy),
+                    Options {
+                        linear_exact: kind > 0,
+                        ..everything(energy)
+                    },
                     Named::Pairwise(Pairwise(coefficients())),
                 ),
                 (only(energy), second),
@@ -215,13 +218,19 @@ fn falls_by_four(what: &str, values: [f64; 3]) {
 
 #[test]
 fn the_leap_frog_drifts_by_the_square_of_the_step() {
-    let leap_frog = only::<2>(EnergyForm::LeapFrog);
-    falls_by_four("drift", STEPS.map(|dt| after(leap_frog, dt).1));
+    for linear_exact in [false, true] {
+        let leap_frog = Options {
+            linear_exact,
+            ..only::<2>(EnergyForm::LeapFrog)
+        };
+        let drifts = STEPS.map(|dt| after(leap_frog, dt).1);
+        falls_by_four(&format!("drift, linear-exact {linear_exact}"), drifts);
+    }
 }
 
 #[test]
 fn all_forms_agree_to_the_square_of_the_step() {
-    for diffusion in [0.0, 0.1] {
+    for (diffusion, linear_exact) in [(0.0, false), (0.1, false), (0.0, true)] {
         let with = |energy| Options {
             diffusion: Diffusion {
                 viscosity: diffusion,
@@ -232,6 +241,7 @@ fn all_forms_agree_to_the_square_of_the_step() {
                 acceleration: [0.1, -0.2],
                 ..Plain::DEFAULT
             },
+            linear_exact,
             ..only::<2>(energy)
         };
         for form in [EnergyForm::Exact, EnergyForm::Total] {

@@ -123,6 +123,7 @@ fn everything<S: Scalar, const D: usize>(form: usize, by_number: bool) -> Option
         plain: plain(by_number),
         energy: FORMS[form],
         limited: true,
+        linear_exact: !S::WRAPS,
         switch: Some(Switch {
             minimum: S::from_f64(0.05),
             decay: S::from_f64(0.2),
@@ -336,7 +337,7 @@ proptest! {
     fn every_option_alone_keeps_the_bits(
         seed in 1u64..,
         kind in 0usize..25,
-        which in 0usize..7,
+        which in 0usize..8,
         form in 0..FORMS.len(),
     ) {
         let all = everything::<f32, 2>(form, false);
@@ -348,6 +349,7 @@ proptest! {
             3 => one.conduction = all.conduction,
             4 => one.diffusion.viscosity = all.diffusion.viscosity,
             5 => one.diffusion.heat = all.diffusion.heat,
+            6 => one.linear_exact = true,
             // With nothing on at all the arrays would be made for `Plain`.
             _ => one.energy = FORMS[form % 2],
         }

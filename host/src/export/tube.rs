@@ -14,7 +14,7 @@ use crate::scenario::{Extent, Scenario, Viscosity, ViscosityKind};
 #[error("`{name}` is no tube of one ideal gas that `motes export` could write")]
 #[diagnostic(help(
     "it needs dimension = 1, one ideal-gas, boxes filled with equal masses, and none of inflow \
-     and outflow sides, viscosity.switch, viscosity.balsara, kind = \"limited\", [conduction], [diffusion], [force], \
+     and outflow sides, viscosity.switch, viscosity.balsara, kind = \"limited\", [gradient], [conduction], [diffusion], [force], \
      [weights] and time.energy"
 ))]
 pub struct NoTube {

@@ -2,6 +2,7 @@
 //!
 //! - `Π` from velocities reconstructed linearly to the midpoint under a slope limiter, and
 //!   with factors of its own for each particle ([`super::switch`]);
+//! - pressure along gradients that are exact for linear fields: [`super::direction`];
 //! - physical viscosity, the stress of Navier and Stokes: [`super::stress`];
 //! - heat conduction, (4.6): `m_k m_l χ (v_k + v_l) (e_k - e_l) g`, `g < 0`, `v = 1/(ρ M)`, M the
 //!   second moment of the cut-off's gradient where an integral has 1. A sum over a lattice of squares
@@ -59,6 +60,9 @@ record! {
         pub slope: [[N; D]; D],
         /// Factor of r in the viscous stress; 0 without one.
         pub stress: [[N; D]; D],
+        /// B, what turns r towards the gradient of the particle: see [`super::direction`]. 0 where
+        /// gradients are along r.
+        pub direction: [[N; D]; D],
     }
 }
 
@@ -178,8 +182,26 @@ impl<S: Scalar, const D: usize> Terms<S, D> for Options<S, D> {
         self.walls.seen(image)
     }
 
+    #[inline(always)]
+    fn directions<N: Number<Scalar = S>>(
+        &self,
+        k: &NodeOver<N, S, Self, D>,
+        l: &NodeOver<N, S, Self, D>,
+        r: &[N; D],
+    ) -> Option<[[N; D]; 2]> {
+        if !self.linear_exact {
+            return None;
+        }
+        let mut directions = [[N::zero(); D]; 2];
+        for i in 0..D {
+            directions[0][i] = N::dot(&k.terms.direction[i], r);
+            directions[1][i] = N::dot(&l.terms.direction[i], r);
+        }
+        Some(directions)
+    }
+
     fn is_bounded(&self) -> bool {
-        !self.diffusion.is_viscous() && !(self.diffusion.heat > S::ZERO)
+        !self.linear_exact && !self.diffusion.is_viscous() && !(self.diffusion.heat > S::ZERO)
     }
 
     #[inline(always)]
@@ -224,7 +246,7 @@ impl<S: Scalar, const D: usize> Terms<S, D> for Options<S, D> {
                 *component = -*component;
             }
         }
-        for tensor in [&mut image.slope, &mut image.stress] {
+        for tensor in [&mut image.slope, &mut image.stress, &mut image.direction] {
             for (i, row) in tensor.iter_mut().enumerate() {
                 for (j, entry) in row.iter_mut().enumerate() {
                     if (i == axis) != (j == axis) {
@@ -335,12 +357,24 @@ law_of_energy!(Work, |of, seen, k, l, r, to_k, to_l| {
         w[i] = k.terms.acceleration[i] - l.terms.acceleration[i];
     }
     let (now, gain) = (N::dot(&v, r), N::dot(&w, r));
-    let share_k = of.pressure_k + half * of.viscous;
-    let share_l = of.pressure_l + half * of.viscous;
-    to_k.power += share_k * now + of.heat;
-    to_l.power += share_l * now - of.heat;
-    to_k.power_slope += share_k * gain;
-    to_l.power_slope += share_l * gain;
+    match &of.directions {
+        None => {
+            let share_k = of.pressure_k + half * of.viscous;
+            let share_l = of.pressure_l + half * of.viscous;
+            to_k.power += share_k * now + of.heat;
+            to_l.power += share_l * now - of.heat;
+            to_k.power_slope += share_k * gain;
+            to_l.power_slope += share_l * gain;
+        }
+        Some([r_k, r_l]) => {
+            let share = half * of.viscous;
+            let (braked, slowed) = (share * now, share * gain);
+            to_k.power += of.pressure_k * N::dot(&v, r_k) + braked + of.heat;
+            to_l.power += of.pressure_l * N::dot(&v, r_l) + braked - of.heat;
+            to_k.power_slope += of.pressure_k * N::dot(&w, r_k) + slowed;
+            to_l.power_slope += of.pressure_l * N::dot(&w, r_l) + slowed;
+        }
+    }
     if let Some([of_k, of_l]) = &of.drag {
         if let Some(seen) = seen {
             v = apart_as(Some(seen), &k.terms.velocity_now, &l.terms.velocity_now);
@@ -355,10 +389,14 @@ law_of_energy!(Work, |of, seen, k, l, r, to_k, to_l| {
 });
 
 law_of_energy!(Flow, |of, seen, k, l, r, to_k, to_l| {
-    let along = |of: &NodeOver<N, S, Options<S, D>, D>| N::dot(&of.terms.velocity_now, r);
-    let (along_k, along_l) = (along(k), along(l));
-    let flow = (of.pressure_k * along_l + of.pressure_l * along_k)
-        + N::literal(0.5) * (of.viscous * (along_k + along_l));
+    let along =
+        |of: &NodeOver<N, S, Options<S, D>, D>, r: &[N; D]| N::dot(&of.terms.velocity_now, r);
+    let (along_k, along_l) = (along(k, r), along(l, r));
+    let pressed = match &of.directions {
+        None => of.pressure_k * along_l + of.pressure_l * along_k,
+        Some([r_k, r_l]) => of.pressure_k * along(l, r_k) + of.pressure_l * along(k, r_l),
+    };
+    let flow = pressed + N::literal(0.5) * (of.viscous * (along_k + along_l));
     to_k.power += of.heat - flow;
     to_l.power += flow - of.heat;
     if let Some([of_k, of_l]) = &of.drag {

@@ -34,6 +34,9 @@ impl<S: Scalar, const D: usize> Physics<S, D> for Options<S, D> {
     fn need_gradients(&self) -> bool {
         Self::need_gradients(self)
     }
+    fn follows_density(&self) -> bool {
+        !self.linear_exact
+    }
 
     fn shown(&self, state: &Thermal<S>) -> Extras<S, D> {
         Extras {
@@ -160,8 +163,11 @@ where
                 continue;
             };
             let slopes = gradient.sums.slopes();
-            let gradient = slopes.velocity;
+            if self.physics.linear_exact {
+                node.terms.direction = self.direction(node, &gradient.sums);
+            }
             let shown = &mut node.terms;
+            let gradient = slopes.velocity;
             if self.physics.conduction > S::ZERO {
                 shown.energy_slope = slopes.energy;
             }

@@ -6,7 +6,8 @@
 //! - forces and heat there, where viscosity needs a velocity with `u^n + dt a^n`;
 //! - kick: `u^(n+1) = u^(n+1/2) + dt/2 a^(n+1)`, and `e` by `dt/2 q^(n+1)`.
 //!
-//! In shocks, where viscosity heats, e goes by the work of the forces instead.
+//! In shocks, where viscosity heats, e goes by the work of the forces instead; and everywhere with the
+//! gradients of [`super::direction`], where the pressure of the new state is still that of the density.
 //!
 //! Second order in `dt`. Without dissipation the pressure is a function of the positions, so that the
 //! scheme is symplectic, stable for `ω dt < 2`, and leads back the way it came: the energy oscillates
@@ -130,6 +131,11 @@ where
         [power, heat]: [S; 2],
         dt: S,
     ) {
+        if !self.physics.follows_density() {
+            row.flow(dt, power);
+            *row.heat = heat;
+            return;
+        }
         let along = self.compressed(row, density, dt);
         let [old_power, old_heat] = [*row.power, *row.heat];
         let irreversible = old_heat.abs().half() + heat.abs().half();

@@ -15,6 +15,7 @@
 
 mod densities;
 pub mod density;
+pub mod direction;
 mod dynamics;
 mod end;
 pub mod exchange;

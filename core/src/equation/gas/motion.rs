@@ -41,13 +41,17 @@ pub(super) struct Exchanged<N, const D: usize> {
     pub viscous: N,
     /// What `k` receives as heat and `l` gives.
     pub heat: N,
+    /// What the gradients point along where that is not r: see [`Terms::directions`].
+    pub directions: Option<[[N; D]; 2]>,
     /// What the viscous stresses of both exert: see [`Terms::drag`].
     pub drag: Option<[[N; D]; 2]>,
     /// `u_k - u_l` as the viscous stresses see it, of the velocities that forces depend on.
     pub u: [N; D],
     /// `Σ_i (u_k-u_l)_i r_i`, of the velocities that forces depend on.
     pub approach: N,
-    /// The same over the distance.
+    /// `(u_k-u_l)` times the direction of the gradient of `k`, and of `l`.
+    pub along: [N; 2],
+    /// The approach over the distance.
     pub speed: N,
     /// The factors of the gradients: of `k`, of `l`, and their mean.
     pub gradients: [N; 3],
@@ -103,11 +107,17 @@ impl<C, V, T> Motion<C, V, T> {
             factors: [measures * g_k, measures * g_l],
             seen,
         };
+        let directions = self.terms.directions(k, l, r);
         Exchanged {
             pressure_k: measures * (k.pressure * g_k),
             pressure_l: measures * (l.pressure * g_l),
             viscous: masses * (pi * g),
             heat: self.terms.heat(k, l, &between, masses * g),
+            along: match &directions {
+                None => [approach; 2],
+                Some(directions) => [0, 1].map(|of| N::dot(&u, &directions[of])),
+            },
+            directions,
             drag: self.terms.drag(k, l, r, &sheared),
             u: sheared.u,
             approach,
@@ -135,12 +145,18 @@ impl<C, V, T> Motion<C, V, T> {
         let [g_k, g_l, g] = of.gradients;
         let term = (of.pressure_k + of.pressure_l) + of.viscous;
         for i in 0..D {
-            let force = term * apart.r[i];
+            let force = match &of.directions {
+                None => term * apart.r[i],
+                Some([r_k, r_l]) => {
+                    let pressed = of.pressure_k * r_k[i] + of.pressure_l * r_l[i];
+                    pressed + of.viscous * apart.r[i]
+                }
+            };
             to_k.force[i] -= force;
             to_l.force[i] += force;
         }
-        to_k.compression += l.measure * (of.approach * g_k);
-        to_l.compression += k.measure * (of.approach * g_l);
+        to_k.compression += l.measure * (of.along[0] * g_k);
+        to_l.compression += k.measure * (of.along[1] * g_l);
         let heating = N::literal(0.5) * (of.viscous * of.approach);
         to_k.power += heating + of.heat;
         to_l.power += heating - of.heat;

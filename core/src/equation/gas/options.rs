@@ -83,6 +83,9 @@ pub struct Options<S, const D: usize> {
     pub energy: EnergyForm,
     /// Whether the viscosity sees velocities that are reconstructed between the particles.
     pub limited: bool,
+    /// Whether pressure acts along gradients that are exact for linear fields: see
+    /// [`super::direction`].
+    pub linear_exact: bool,
     /// Whether the viscosity decays away from shocks.
     pub switch: Option<Switch<S>>,
     /// Whether the viscosity spares shear: Balsara's factor.
@@ -118,6 +121,7 @@ impl<S: Scalar, const D: usize> Options<S, D> {
         plain: Plain::DEFAULT,
         energy: EnergyForm::LeapFrog,
         limited: false,
+        linear_exact: false,
         switch: None,
         balsara: false,
         conduction: S::ZERO,
@@ -133,7 +137,10 @@ impl<S: Scalar, const D: usize> Options<S, D> {
 
     /// Whether gradients are needed.
     pub fn need_gradients(&self) -> bool {
-        self.switches() || self.conduction > S::ZERO || self.diffusion.is_viscous()
+        self.switches()
+            || self.linear_exact
+            || self.conduction > S::ZERO
+            || self.diffusion.is_viscous()
     }
 
     /// Whether anything is on that [`Plain`] has not. Where nothing is, [`Plain`] gives the same

@@ -34,6 +34,11 @@ pub trait Physics<S: Scalar, const D: usize>: Terms<S, D> {
     fn no_slip(&self) -> NoSlip<S, D> {
         NoSlip::NONE
     }
+    /// Whether the reversible part of the work is that of the density: whether forces are derivatives of
+    /// an energy of the density's sum.
+    fn follows_density(&self) -> bool {
+        true
+    }
     /// Whether gradients of velocity and energy are made.
     fn need_gradients(&self) -> bool {
         false

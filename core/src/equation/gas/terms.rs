@@ -94,6 +94,18 @@ pub trait Terms<S: Scalar, const D: usize>: Copy + Sync {
         None
     }
 
+    /// What the gradients of `k` and of `l` point along, `B_k r` and `B_l r`; `None` where both are r.
+    #[inline(always)]
+    fn directions<N: Number<Scalar = S>>(
+        &self,
+        k: &NodeOver<N, S, Self, D>,
+        l: &NodeOver<N, S, Self, D>,
+        r: &[N; D],
+    ) -> Option<[[N; D]; 2]> {
+        let _ = (k, l, r);
+        None
+    }
+
     /// Whether pressure and pseudo-viscosity are all that a pair exchanges, as far as a proof by their
     /// bounds can tell; else each pair is proven by itself.
     fn is_bounded(&self) -> bool {

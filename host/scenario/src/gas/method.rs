@@ -16,6 +16,15 @@ pub enum Weights {
     Number,
 }
 
+/// What the forces of pressure act along.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GradientKind {
+    /// The line of centres, as the gradient of the cut-off does.
+    Plain,
+    /// A gradient that is exact for linear fields.
+    LinearExact,
+}
+
 /// The pseudo-viscosity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Viscosity {
@@ -100,6 +109,11 @@ pub enum EnergyRule {
 
 const WEIGHTS: &[(&str, Weights)] = &[("mass", Weights::Mass), ("number", Weights::Number)];
 
+const GRADIENTS: &[(&str, GradientKind)] = &[
+    ("plain", GradientKind::Plain),
+    ("linear-exact", GradientKind::LinearExact),
+];
+
 const KINDS: &[(&str, ViscosityKind)] = &[
     ("pairwise", ViscosityKind::Pairwise),
     ("gingold_monaghan", ViscosityKind::GingoldMonaghan),
@@ -122,6 +136,14 @@ pub(super) fn weights(root: &Section<'_>) -> Result<Weights, Fault> {
     match root.optional("weights") {
         Some(entry) => entry.section()?.required("rule")?.choice(WEIGHTS),
         None => Ok(Weights::Mass),
+    }
+}
+
+/// `[gradient]`.
+pub(super) fn gradient(root: &Section<'_>) -> Result<GradientKind, Fault> {
+    match root.optional("gradient") {
+        Some(entry) => entry.section()?.required("kind")?.choice(GRADIENTS),
+        None => Ok(GradientKind::Plain),
     }
 }
 

@@ -22,7 +22,9 @@ use crate::{CutOff, check, cut_off};
 
 pub use inflow::Inflow;
 pub use material::{EquationOfState, Material};
-pub use method::{Diffusion, EnergyRule, Switch, Time, Viscosity, ViscosityKind, Weights};
+pub use method::{
+    Diffusion, EnergyRule, GradientKind, Switch, Time, Viscosity, ViscosityKind, Weights,
+};
 pub use outflow::Outflow;
 pub use output::{Exact, Output, Ring};
 pub use profile::Profile;
@@ -63,6 +65,8 @@ pub struct Scenario {
     pub weights: Weights,
     /// The function that smears a particle.
     pub cut_off: CutOff,
+    /// What the forces of pressure act along.
+    pub gradient: GradientKind,
     /// The pseudo-viscosity.
     pub viscosity: Viscosity,
     /// Factor of the artificial conductivity, >= 0; 0 for none.
@@ -173,6 +177,7 @@ pub(super) fn scenario(
         resolution,
         weights: method::weights(root)?,
         cut_off: cut_off::of_gas(root, dimension)?,
+        gradient: method::gradient(root)?,
         viscosity: method::viscosity(root)?,
         conduction: method::conduction(root)?,
         diffusion,

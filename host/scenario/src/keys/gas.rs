@@ -22,6 +22,7 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
             key("resolution", "[resolution]"),
             key("weights", "[weights]"),
             key("cut-off", "[cut-off]"),
+            key("gradient", "[gradient]"),
             key("viscosity", "[viscosity]"),
             key("conduction", "[conduction]"),
             key("diffusion", "[diffusion]"),
@@ -116,6 +117,7 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
         ],
     ),
     ("weights", &[key("rule", "rule = \"mass\"")]),
+    ("gradient", &[key("kind", "kind = \"linear-exact\"")]),
     (
         "viscosity",
         &[

@@ -79,6 +79,7 @@ fn with_profile(profile: &str) -> String {
 fn what_is_left_out_means_none_of_it() {
     let scenario = read(BOX);
     assert_eq!(scenario.weights, Weights::Mass);
+    assert_eq!(scenario.gradient, GradientKind::Plain);
     assert_eq!(scenario.conduction, 0.0);
     assert_eq!(
         scenario.diffusion,
@@ -109,7 +110,7 @@ fn what_is_left_out_means_none_of_it() {
 
 #[test]
 fn every_section_reads_as_written() {
-    let more = "[weights]\nrule = \"number\"\n[conduction]\nalpha = 0.5\n\
+    let more = "[weights]\nrule = \"number\"\n[gradient]\nkind = \"linear-exact\"\n[conduction]\nalpha = 0.5\n\
         [diffusion]\nviscosity = 0.01\nbulk-viscosity = 0.03\nheat = 0.02\n[force]\nacceleration = [0.0, -9.81]\n\
         [output]\nexact = \"sedov\"\nring = { inner = 0.05, outer = 0.35, center = [0.5, 0.5] }\n\
         snapshots = { steps = 10, format = \"csv\" }\n\
@@ -128,6 +129,7 @@ fn every_section_reads_as_written() {
     ]);
     let scenario = read(&text);
     assert_eq!(scenario.weights, Weights::Number);
+    assert_eq!(scenario.gradient, GradientKind::LinearExact);
     assert_eq!(scenario.conduction, 0.5);
     assert_eq!(
         scenario.diffusion,
@@ -708,7 +710,7 @@ fn the_page_names_every_key_and_every_choice() {
     let choices = [
         "mirror periodic free inflow outflow ideal-gas stiffened-gas isothermal tait noh sound-wave yee-vortex",
         "gresho kelvin-helmholtz equal-mass square hexagonal cubic close-packed sampled glass file",
-        "mass volume number pairwise gingold_monaghan von_neumann limited none leapfrog exact",
+        "mass volume number plain linear-exact pairwise gingold_monaghan von_neumann limited none leapfrog exact",
         "total riemann sedov profile reference vtu csv",
         "transport acoustics telegraph shallow-water maxwell-te elastic-waves linearised-gas matrices convection-diffusion",
         "still uniform rotation shear compression wave flow gaussian exp-sine plane-wave standing-wave modes",

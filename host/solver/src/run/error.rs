@@ -55,6 +55,13 @@ pub enum RunError {
         /// The scalar.
         scalar: String,
     },
+    /// Gradients that are made in floats only.
+    #[error("gradient.kind = \"linear-exact\" is for floats, and `{scalar}` is fixed point")]
+    #[diagnostic(help("run with --scalar f64 or f32, or take [gradient] out"))]
+    Gradient {
+        /// The scalar.
+        scalar: String,
+    },
     /// Two particles in one place.
     #[error(
         "particles {first} and {second} lie in one place, {place}, in `{scalar}`{}",

@@ -5,6 +5,7 @@ mod clouds;
 
 mod conduction;
 mod diffusion;
+mod direction;
 mod gradients;
 mod interfaces;
 mod limiter;

@@ -115,6 +115,7 @@ impl Plan {
             },
             energy: options.energy,
             limited: options.limited,
+            linear_exact: options.linear_exact,
             switch: options.switch.map(|switch| Switch {
                 minimum: S::from_f64(switch.minimum),
                 decay: S::from_f64(switch.decay),

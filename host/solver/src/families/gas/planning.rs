@@ -13,7 +13,8 @@ use super::plan::Plan;
 use crate::families::PlanError;
 use crate::run::{Abscissa, check_memory};
 use crate::scenario::{
-    self, Arrangement, EnergyRule, EquationOfState, Scenario, Share, ViscosityKind, fineness,
+    self, Arrangement, EnergyRule, EquationOfState, GradientKind, Scenario, Share, ViscosityKind,
+    fineness,
 };
 use crate::setup::{self, Placed};
 use crate::sums::compensated;
@@ -247,6 +248,7 @@ impl Frame<'_> {
                 EnergyRule::Total => EnergyForm::Total,
             },
             limited: viscosity.kind == ViscosityKind::Limited,
+            linear_exact: scenario.gradient == GradientKind::LinearExact,
             switch: viscosity.switch.map(|switch| Switch {
                 // The core's factor multiplies alpha, the scenario's minimum is an alpha.
                 minimum: if viscosity.alpha > 0.0 {

@@ -85,6 +85,11 @@ pub(in crate::families) fn start<S: HostScalar, const D: usize>(
     engine: &mut Threads,
 ) -> Result<Box<dyn Simulation>, RunError> {
     let options = plan.options::<S, D>();
+    if S::WRAPS && options.linear_exact {
+        return Err(RunError::Gradient {
+            scalar: scalar.to_owned(),
+        });
+    }
     if options.need_exchange() {
         prepared(plan, options, scalar, engine)
     } else {

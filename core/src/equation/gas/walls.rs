@@ -125,7 +125,7 @@ impl<N: Number, const D: usize> Reversal<N, D> {
     pub fn velocity(&self, mirrored: &[N; D]) -> [N; D] {
         let mut velocity = self.rate(mirrored);
         for i in 0..D {
-            velocity[i] = velocity[i] + self.shift[i];
+            velocity[i] += self.shift[i];
         }
         velocity
     }

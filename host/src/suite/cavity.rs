@@ -85,18 +85,22 @@ const ACROSS_Y_400: &[Value] = &[
 /// A particle: its place and its velocity.
 pub(super) type Moving = ([f64; 2], [f64; 2]);
 
-/// The largest deviation from the values at the Reynolds number next to this one, in velocities of the lid.
+/// The deviation from the values at the Reynolds number next to this one, root of the mean square, in
+/// velocities of the lid.
 pub(super) fn deviation(particles: &[Moving], reynolds_number: f64) -> f64 {
     let (along_y, along_x) = match reynolds_number > 200.0 {
         true => (ACROSS_X_400, ACROSS_Y_400),
         false => (ACROSS_X_100, ACROSS_Y_100),
     };
     let spacing = 1.0 / (particles.len().max(1) as f64).sqrt();
-    let of =
-        |at: [f64; 2], i: usize, value: f64| (velocity(particles, spacing, at)[i] - value).abs();
+    let of = |at: [f64; 2], i: usize, value: f64| {
+        let deviation = velocity(particles, spacing, at)[i] - value;
+        deviation * deviation
+    };
     let first = along_y.iter().map(|&(y, u)| of([0.5, y], 0, u));
     let second = along_x.iter().map(|&(x, v)| of([x, 0.5], 1, v));
-    first.chain(second).fold(0.0, f64::max)
+    let count = (along_y.len() + along_x.len()) as f64;
+    (first.chain(second).sum::<f64>() / count).sqrt()
 }
 
 /// The velocity at a point: that of the linear field that fits the particles around best, by squares
@@ -150,9 +154,16 @@ mod tests {
                 assert!((found - exact).abs() < 1e-12, "{found} for {exact}");
             }
         }
-        // Gas at rest is as far off as the lid is fast.
+        // Gas at rest is off by all of the values.
         let still: Vec<Moving> = (0..400).map(|i| (place(i), [0.0; 2])).collect();
-        assert_eq!(deviation(&still, 100.0), 0.84123);
-        assert_eq!(deviation(&still, 400.0), 0.75837);
+        let rms = |tables: [&[Value]; 2]| {
+            let count = (tables[0].len() + tables[1].len()) as f64;
+            let squares = tables.into_iter().flatten().map(|(_, value)| value * value);
+            (squares.sum::<f64>() / count).sqrt()
+        };
+        let exact = rms([ACROSS_X_100, ACROSS_Y_100]);
+        assert!((deviation(&still, 100.0) - exact).abs() < 1e-12);
+        let exact = rms([ACROSS_X_400, ACROSS_Y_400]);
+        assert!((deviation(&still, 400.0) - exact).abs() < 1e-12);
     }
 }

@@ -45,7 +45,8 @@ pub enum Measure {
         /// Why.
         reason: &'static str,
     },
-    /// The largest deviation of the cavity's velocities along its middle lines, in those of the lid.
+    /// The deviation of the cavity's velocities along its middle lines, root of the mean square, in those
+    /// of the lid.
     Cavity {
         /// The most.
         most: f64,
@@ -152,7 +153,7 @@ fn particles(simulation: &dyn Simulation, heading: &str) -> Vec<([f64; 3], f64, 
         .collect()
 }
 
-/// The largest deviation from the velocities of others in a unit square under a lid of velocity 1.
+/// The deviation from the velocities of others in a unit square under a lid of velocity 1.
 fn cavity(experiment: &Experiment) -> f64 {
     let Some(scenario) = gas(experiment) else {
         return f64::NAN;

@@ -54,3 +54,22 @@ fn a_tube_tells_the_pressure_on_its_ends() {
     assert!((last("force_x_upper") - 0.1).abs() < 1e-4);
     assert!(series.of("work").is_empty());
 }
+
+/// What materials leave out of their pressure acts on walls all the same.
+#[test]
+fn a_background_pressure_is_part_of_the_force_on_a_wall() {
+    let force = |name: &str, heading: &str, changes: &[&str]| {
+        let mut all = vec!["time.end=0.02", "force.background=0.08"];
+        all.extend(changes);
+        let experiment = experiment(any_scenario(name, &all), "f64", 1);
+        let series = &experiment.outcome.series;
+        *series.of(heading).last().unwrap_or(&f64::NAN)
+    };
+    let tube = force("sod", "force_x_upper", &[]);
+    assert!((tube / 0.1 - 1.0).abs() < 1e-3, "{tube}");
+    // A quarter across.
+    let walls = "domain.sides=[\"mirror\", \"periodic\"]";
+    let few = ["resolution.particles=1000", walls];
+    let plane = force("sod2d", "force_x_lower_x", &few) / 0.25;
+    assert!((plane + 1.0).abs() < 0.01, "{plane}");
+}

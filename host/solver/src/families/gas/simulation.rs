@@ -217,7 +217,10 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> GasSimulation<S, P,
     fn follow(&mut self, dt: f64) {
         let pull = self.setup.plan.periodic_pull();
         let (gas, work) = self.memory.parts();
-        let forces = self.setup.solver().wall_forces(&gas, &work);
+        let mut forces = self.setup.solver().wall_forces(&gas, &work);
+        if self.setup.plan.options.background > 0.0 {
+            self.setup.plan.push(&mut forces);
+        }
         let mut power = 0.0;
         if pull.iter().any(|&component| component != 0.0) {
             let along = |u: &[S; D]| {

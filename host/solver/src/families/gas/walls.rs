@@ -74,6 +74,17 @@ impl Plan {
         ends.filter_map(|(axis, end, of)| (of == Side::Mirror).then_some((axis, end)))
     }
 
+    /// Adds to the forces on walls what a pressure that the materials leave out exerts.
+    pub(super) fn push<const D: usize>(&self, forces: &mut WallForces<D>) {
+        let lengths = || self.axes[..D].iter().map(|axis| axis.upper - axis.lower);
+        for (axis, end) in self.walls() {
+            let beside = lengths().enumerate().filter(|&(i, _)| i != axis);
+            let area: f64 = beside.map(|(_, length)| length).product();
+            let outwards = if end == 0 { -1.0 } else { 1.0 };
+            forces.force[axis][end][axis] += outwards * self.options.background * area;
+        }
+    }
+
     /// The columns of the forces, with the direction and the end of each wall and the component.
     pub(super) fn force_columns(&self) -> Vec<((usize, usize, usize), String)> {
         let dimension = self.dimension;

@@ -18,7 +18,7 @@ const TABLE: &str = "tests/golden.csv";
 /// What the table has: a scenario with some particles in some scalars.
 ///
 /// Numbers of particles that the firmware has (225, 64, 96) are for rows that it runs.
-const ROWS: [(&str, usize, &[&str]); 11] = [
+const ROWS: [(&str, usize, &[&str]); 13] = [
     ("sod", 225, &["f64", "f32", "q12.19", "q31.32"]),
     ("sod", 900, &["f64", "f32", "q12.19", "q31.32"]),
     ("acoustics1d", 64, &LINE),
@@ -26,11 +26,15 @@ const ROWS: [(&str, usize, &[&str]); 11] = [
     ("wall-day", 96, &["f64", "f32", "q15.16", "q31.32"]),
     ("sedov2d", 1000, &SPACE),
     ("noh3d", 1000, &SPACE),
+    ("couette", 128, &FLOATS),
+    ("taylor-green", 256, &FLOATS),
     ("acoustics2d", 400, &SPACE),
     ("acoustics3d", 3375, &SPACE),
     ("heat2d", 400, &SPACE),
     ("heat3d", 1000, &SPACE),
 ];
+
+const FLOATS: [&str; 2] = ["f64", "f32"];
 
 const SPACE: [&str; 3] = ["f64", "f32", "q31.32"];
 

@@ -63,14 +63,16 @@ pub trait EquationOfState<S: Scalar>: Copy + Send + Sync {
 /// Errors `2/15 y^15`: 1e-16 where the density changes by a fifth in one step.
 #[inline]
 fn logarithm<S: Scalar>([a, b]: [S; 2]) -> S {
-    let y = (b - a) / (a + b);
+    let difference = b - a;
+    // 2 y, not y: doubled, its rounding would be too.
+    let double = (difference + difference) / (a + b);
+    let y = double.half();
     let square = y * y;
     let mut series = S::ZERO;
     for odd in [13, 11, 9, 7, 5, 3] {
         series = square * (S::from_f64(1.0 / f64::from(odd)) + series);
     }
-    let half = y + y * series;
-    half + half
+    double + double * series
 }
 
 /// `(b/a)^k - 1` by Padé's approximant [4/4] of the exponential; those of `(b/a)^k` and `(a/b)^k` are one
@@ -82,7 +84,8 @@ fn logarithm<S: Scalar>([a, b]: [S; 2]) -> S {
 fn growth<S: Scalar>(densities: [S; 2], exponent: S) -> S {
     let x = exponent * logarithm(densities);
     let square = x * x;
-    let odd = x.half() * (S::ONE + square * S::from_f64(1.0 / 42.0));
+    // 2 s, not s: in fixed point halves round away from 0, and each step of a slow change would be too large.
+    let double = x * (S::ONE + square * S::from_f64(1.0 / 42.0));
     let even = S::ONE + square * (S::from_f64(3.0 / 28.0) + square * S::from_f64(1.0 / 1680.0));
-    (odd + odd) / (even - odd)
+    double / (even - double.half())
 }

@@ -56,3 +56,30 @@ fn sound_does_not_travel_where_its_speed_would_be_imaginary() {
         0.0
     );
 }
+
+/// An expansion in many steps, each of a few last places, follows the isentrope.
+#[cfg(feature = "fixed")]
+#[test]
+fn small_steps_in_fixed_point_add_up_to_the_isentrope() {
+    use crate::scalar::{Q32, Scalar};
+    use fixed::types::extra::U19;
+    type Q = Q32<U19>;
+    const STEPS: u32 = 20_000;
+    let place = |step: u32| 1.0 - 0.425 * f64::from(step) / f64::from(STEPS);
+    let laws = [
+        Named::<Q>::IdealGas(IdealGas::new(1.4)),
+        Named::StiffenedGas(StiffenedGas::new(1.4, 0.0)),
+    ];
+    for law in laws {
+        for ends in [[0, STEPS], [STEPS, 0]] {
+            let energy = |step: u32| 3.0 * libm::pow(place(step), 0.4);
+            let mut found = Q::from_f64(energy(ends[0]));
+            for step in 1..=STEPS {
+                let at = |step: u32| Q::from_f64(place(ends[0].abs_diff(step)));
+                found = law.compressed([at(step - 1), at(step)], found);
+            }
+            let off = found.to_f64() / energy(ends[1]) - 1.0;
+            assert!(off.abs() < 1.5e-3, "{law:?}, {ends:?}: {off}");
+        }
+    }
+}

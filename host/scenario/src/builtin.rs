@@ -38,7 +38,7 @@ built_in! {
     "noh2d" 40.0
     "sedov2d" 10.0
     "yee-vortex" 3.0
-    "gresho" 20.0
+    "gresho" 40.0
     "kelvin-helmholtz" 20.0
     "taylor-green" 20.0
     "square" 0.5

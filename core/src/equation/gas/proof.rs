@@ -265,7 +265,10 @@ where
         let density = Largest::of(gas.density.iter().copied());
         let densities = [smallest(gas.density.iter().copied()), density.bound];
         for law in self.materials {
-            let bound = law.largest(densities, energy.bound);
+            // The sum of two densities, or twice their difference, is on the way to what compression does.
+            let bound = law
+                .largest(densities, energy.bound)
+                .max(2.0 * density.bound);
             self.in_range(Quantity::Pressure, density.with(bound))?;
         }
         self.prove_waves(velocity.with(speed), densities, energy.bound)?;

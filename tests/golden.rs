@@ -26,7 +26,7 @@ const ROWS: [(&str, usize, &[&str]); 13] = [
     ("wall-day", 96, &["f64", "f32", "q15.16", "q31.32"]),
     ("sedov2d", 1000, &SPACE),
     ("noh3d", 1000, &SPACE),
-    ("couette", 128, &FLOATS),
+    ("couette", 384, &FLOATS),
     ("taylor-green", 256, &FLOATS),
     ("acoustics2d", 400, &SPACE),
     ("acoustics3d", 3375, &SPACE),

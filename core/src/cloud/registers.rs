@@ -1,6 +1,6 @@
 //! The three registers of a Runge-Kutta step over a cloud of strengths.
 
-use super::state::State;
+use super::state::{Start, State};
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::numbered::numbered;
@@ -37,21 +37,6 @@ impl<S: Scalar, const D: usize, const P: usize> Register<S, D, P> {
             }
         }
     }
-}
-
-/// What a particle was at the start of a step.
-#[derive(Clone, Copy, Debug)]
-pub struct Start<S: Scalar, const D: usize, const P: usize> {
-    /// Its position.
-    pub position: [S; D],
-    /// Its weight.
-    pub weight: S,
-    /// What rounding had kept from its position.
-    pub position_remainder: [S; D],
-    /// What rounding had kept from its weight.
-    pub weight_remainder: S,
-    /// Its strength.
-    pub strength: [S::Wide; P],
 }
 
 /// Remembers a state as the start of a step.

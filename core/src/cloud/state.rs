@@ -1,7 +1,6 @@
 //! The state of a cloud of strengths: arrays side by side, in memory that belongs to the caller.
 
 use super::column::{Columns, Unit, columns};
-use super::registers::Start;
 use crate::digest::Digest;
 use crate::domain::Domain;
 use crate::error::{Error, Quantity};
@@ -149,6 +148,21 @@ columns! {
         value: vectors, Scalar, Unknowns, Unit::UNKNOWN, Carried;
         neighbours: scalars, Scalar, One, Unit::NONE, Derived;
     }
+}
+
+/// What a particle was at the start of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Start<S: Scalar, const D: usize, const P: usize> {
+    /// Its position.
+    pub position: [S; D],
+    /// Its weight.
+    pub weight: S,
+    /// What rounding had kept from its position.
+    pub position_remainder: [S; D],
+    /// What rounding had kept from its weight.
+    pub weight_remainder: S,
+    /// Its strength.
+    pub strength: [S::Wide; P],
 }
 
 /// One particle of a [`State`].

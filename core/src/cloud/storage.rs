@@ -2,8 +2,8 @@
 
 use heapless::Vec;
 
-use super::registers::{Start, remember};
-use super::state::{Particle, State};
+use super::registers::remember;
+use super::state::{Particle, Start, State};
 use crate::error::{Container, Error};
 use crate::neighbours::{CellBuffers, Grid, Site};
 use crate::numbered::numbered;

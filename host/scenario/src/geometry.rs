@@ -129,3 +129,31 @@ pub(super) fn ball(section: &Section<'_>, domain: &Extent) -> Result<Ball, Fault
     let radius = section.required("radius")?.number(POSITIVE)?;
     Ok(Ball { center, radius })
 }
+
+const ENDS: [&str; 2] = ["lower", "upper"];
+
+/// Which wall: its direction and its end, 0 for the lower.
+pub(super) fn place_of_wall(
+    section: &Section<'_>,
+    domain: &Domain,
+) -> Result<(usize, usize), Fault> {
+    let entry = section.required("axis")?;
+    let axis = entry.choice(&[("x", 0), ("y", 1), ("z", 2)])?;
+    let dimension = domain.sides.len();
+    if axis >= dimension {
+        let reason = format!("dimension = {dimension}");
+        let cure = format!("the directions are: {}", &"x, y, z"[..3 * dimension - 2]);
+        return Err(entry.does_not_fit(reason, &cure));
+    }
+    let entry = section.required("end")?;
+    let end = entry.choice(&[(ENDS[0], 0), (ENDS[1], 1)])?;
+    if domain.sides[axis][end] != Side::Mirror {
+        let name = AXES[axis];
+        let reason = format!("there is no wall at the {} side along {name}", ENDS[end]);
+        let cure = format!(
+            "set the side along {name} in domain.sides to \"mirror\", or take this [[wall]] out"
+        );
+        return Err(entry.does_not_fit(reason, &cure));
+    }
+    Ok((axis, end))
+}

@@ -114,6 +114,18 @@ impl Scenario {
         region::riemann_direction(&self.regions).ok()
     }
 
+    /// The direction across the walls of a channel.
+    ///
+    /// # Errors
+    /// Why there is no channel.
+    pub fn channel(&self) -> Result<usize, &'static str> {
+        wall::channel(
+            (&self.walls, &self.domain),
+            &self.acceleration,
+            &self.regions,
+        )
+    }
+
     /// The point around which the solution is round, with zeros beyond the dimension; `None` in one
     /// dimension, and of what is not.
     pub fn center(&self) -> Option<[f64; 3]> {
@@ -188,7 +200,7 @@ pub(super) fn scenario(
         output,
         text: text.to_owned(),
     };
-    wall::check_output(root, &scenario)?;
+    output::check_channel(root, &scenario.output, scenario.channel())?;
     tolerance::check_center(root, scenario.center().is_some())?;
     Ok(scenario)
 }

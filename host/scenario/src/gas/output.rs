@@ -164,3 +164,18 @@ fn ring(section: &Section<'_>, dimension: usize) -> Result<Ring, Fault> {
         outer,
     })
 }
+
+/// That there is a channel where its solution is asked for.
+pub(super) fn check_channel(
+    root: &Section<'_>,
+    output: &Output,
+    channel: Result<usize, &'static str>,
+) -> Result<(), Fault> {
+    let (Some(Exact::Channel), Err(reason)) = (output.exact, channel) else {
+        return Ok(());
+    };
+    let entry = root.required("output")?.section()?.required("exact")?;
+    let cure = "it needs a [[wall]] with slip = \"none\" at both ends of one direction, the others \
+                periodic, one region, and nothing that moves or acts across the walls";
+    Err(entry.does_not_fit(reason.to_owned(), cure))
+}

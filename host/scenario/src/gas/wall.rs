@@ -2,10 +2,9 @@
 
 use crate::entry::Entry;
 use crate::error::Fault;
-use crate::geometry::AXES;
-use crate::linear::place_of_wall;
+use crate::geometry::{AXES, place_of_wall};
 use crate::section::Section;
-use crate::{Diffusion, Domain, Exact, Scenario, Side};
+use crate::{Diffusion, Domain, Region, Side};
 
 /// The walls that the gas sticks to: the velocity of the lower and of the upper wall across each direction,
 /// length / time, without a component across it; `None` for one that the gas slips along.
@@ -83,41 +82,26 @@ fn velocity_along(entry: &Entry<'_>, axis: usize, dimension: usize) -> Result<Ve
     Ok(velocity)
 }
 
-/// That there is a channel where its solution is asked for.
-pub(super) fn check_output(root: &Section<'_>, scenario: &Scenario) -> Result<(), Fault> {
-    if scenario.output.exact != Some(Exact::Channel) {
-        return Ok(());
-    }
-    let Err(reason) = scenario.channel() else {
-        return Ok(());
+/// The direction across the walls of a channel, or why there is none.
+pub(super) fn channel(
+    (walls, domain): (&NoSlipWalls, &Domain),
+    acceleration: &[f64],
+    regions: &[Region],
+) -> Result<usize, &'static str> {
+    let sticks = |walls: &[Option<Vec<f64>>; 2]| walls.iter().all(Option::is_some);
+    let Some(axis) = walls.iter().position(sticks) else {
+        return Err("there are no two walls that the gas sticks to");
     };
-    let entry = root.required("output")?.section()?.required("exact")?;
-    let cure = "it needs a [[wall]] with slip = \"none\" at both ends of one direction, the others \
-                periodic, one region, and nothing that moves or acts across the walls";
-    Err(entry.does_not_fit(reason.to_owned(), cure))
-}
-
-impl Scenario {
-    /// The direction across the walls of a channel.
-    ///
-    /// # Errors
-    /// Why there is no channel.
-    pub fn channel(&self) -> Result<usize, &'static str> {
-        let sticks = |walls: &[Option<Vec<f64>>; 2]| walls.iter().all(Option::is_some);
-        let Some(axis) = self.walls.iter().position(sticks) else {
-            return Err("there are no two walls that the gas sticks to");
-        };
-        let sides = self.domain.sides.iter().enumerate();
-        let mut others = sides.filter(|(i, _)| *i != axis);
-        if !others.all(|(_, sides)| *sides == [Side::Periodic; 2]) {
-            return Err("the channel is not periodic along its walls");
-        }
-        if self.acceleration[axis] != 0.0 {
-            return Err("an acceleration acts across the walls");
-        }
-        match self.regions.first() {
-            Some(region) if region.velocity[axis] == 0.0 => Ok(axis),
-            _ => Err("the gas moves across the walls"),
-        }
+    let sides = domain.sides.iter().enumerate();
+    let mut others = sides.filter(|(i, _)| *i != axis);
+    if !others.all(|(_, sides)| *sides == [Side::Periodic; 2]) {
+        return Err("the channel is not periodic along its walls");
+    }
+    if acceleration[axis] != 0.0 {
+        return Err("an acceleration acts across the walls");
+    }
+    match regions.first() {
+        Some(region) if region.velocity[axis] == 0.0 => Ok(axis),
+        _ => Err("the gas moves across the walls"),
     }
 }

@@ -36,7 +36,6 @@ pub use resolution::{Arrangement, Resolution};
 pub use series::Series;
 pub use system::System;
 pub use time::{Method, Time};
-pub(crate) use wall::place_of_wall;
 pub use wall::{Drive, WallCondition};
 
 /// A linear first-order system to solve. All numbers are in the scenario's own units.

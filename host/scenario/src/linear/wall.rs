@@ -2,13 +2,13 @@
 
 use super::Series;
 use super::series::series;
+use crate::Domain;
 use crate::bound::{NOT_NEGATIVE, POSITIVE};
 use crate::entry::{ANY, Entry};
 use crate::error::Fault;
 use crate::files::Files;
-use crate::geometry::AXES;
+use crate::geometry::place_of_wall;
 use crate::section::Section;
-use crate::{Domain, Side};
 
 /// What a species meets at a wall. The flux is what leaves the domain, `-b ∂u/∂n` with the
 /// normal `n` outwards: species · length / time.
@@ -66,8 +66,6 @@ const KINDS: [(&str, &[&str]); 4] = [
     ("exchange", &["rate", "outside", "series"]),
 ];
 
-const ENDS: [&str; 2] = ["lower", "upper"];
-
 /// The conditions of the walls: a direction, its lower and its upper end, the species.
 pub(super) type Walls = Vec<[Vec<WallCondition>; 2]>;
 
@@ -108,32 +106,6 @@ pub(super) fn walls(
 fn end_of_run(root: &Section<'_>) -> Option<f64> {
     let time = root.optional("time")?.section().ok()?;
     time.optional("end")?.number(POSITIVE).ok()
-}
-
-/// Which wall: its direction and its end, 0 for the lower.
-pub(crate) fn place_of_wall(
-    section: &Section<'_>,
-    domain: &Domain,
-) -> Result<(usize, usize), Fault> {
-    let entry = section.required("axis")?;
-    let axis = entry.choice(&[("x", 0), ("y", 1), ("z", 2)])?;
-    let dimension = domain.sides.len();
-    if axis >= dimension {
-        let reason = format!("dimension = {dimension}");
-        let cure = format!("the directions are: {}", &"x, y, z"[..3 * dimension - 2]);
-        return Err(entry.does_not_fit(reason, &cure));
-    }
-    let entry = section.required("end")?;
-    let end = entry.choice(&[(ENDS[0], 0), (ENDS[1], 1)])?;
-    if domain.sides[axis][end] != Side::Mirror {
-        let name = AXES[axis];
-        let reason = format!("there is no wall at the {} side along {name}", ENDS[end]);
-        let cure = format!(
-            "set the side along {name} in domain.sides to \"mirror\", or take this [[wall]] out"
-        );
-        return Err(entry.does_not_fit(reason, &cure));
-    }
-    Ok((axis, end))
 }
 
 /// The species that a wall is for: all unless told.

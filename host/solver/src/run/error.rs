@@ -212,6 +212,7 @@ impl RunError {
         matches!(
             self,
             Self::Format { .. }
+                | Self::Gradient { .. }
                 | Self::Coincident { .. }
                 | Self::Memory { .. }
                 | Self::Width { .. }

@@ -1,13 +1,13 @@
 //! Why a gas may not be at rest, or not resolved, where it starts.
 
+mod contact;
+mod regions;
 mod slow;
 
-use super::contact::unheld_contact;
 use crate::scenario::{Arrangement, Ball, Exact, Profile, Region, Scenario, Side};
 use crate::setup::Placed;
-
-/// Spacings across a region below which its waves are not resolved.
-pub(super) const LEAST: f64 = 10.0;
+use contact::unheld_contact;
+use regions::{LEAST, mass};
 
 /// Of how many of the smallest spacings one is that was not chosen, but left over.
 const COARSE: f64 = 1.25;
@@ -85,24 +85,6 @@ fn starved(scenario: &Scenario, placed: &[Placed]) -> Vec<String> {
     regions.filter_map(of_region).collect()
 }
 
-/// The mass of a particle of a region.
-pub(super) fn mass(scenario: &Scenario, placed: &[Placed], region: &Region) -> Option<f64> {
-    let inside = |particle: &&Placed| holds(region, &particle.position[..scenario.dimension]);
-    // What lies in several is that of the last of them, as its density tells.
-    let mine = |particle: &&Placed| inside(particle) && particle.density == region.density;
-    placed.iter().find(mine).map(|particle| particle.mass)
-}
-
-fn holds(region: &Region, point: &[f64]) -> bool {
-    match &region.ball {
-        Some(ball) => ball.distance_squared(point) < ball.radius * ball.radius,
-        None => {
-            let bounds = region.extent.lower.iter().zip(&region.extent.upper);
-            (point.iter().zip(bounds)).all(|(x, (lower, upper))| (lower..=upper).contains(&x))
-        }
-    }
-}
-
 /// The width of a region where it ends before the domain does; `None` where it is all of it.
 fn narrowest(scenario: &Scenario, region: &Region) -> Option<f64> {
     if let Some(Ball { radius, .. }) = region.ball {
@@ -178,6 +160,32 @@ pub(super) mod tests {
         let thin = ["region.1.density=0.1", "resolution.share=mass"];
         let ball = told("wind-tunnel", &thin);
         assert!(ball.contains("region 1 is"), "{ball}");
+    }
+
+    /// Gas at 1e4 times pressure and density of another spreads to 0.0077 between its wave and the contact.
+    #[test]
+    fn a_contact_that_no_particle_holds_is_told() {
+        let dense = [
+            "region.0.density=1e6",
+            "region.0.pressure=1e6",
+            "resolution.share=volume",
+        ];
+        let told_of = |changes: &[&str]| told("sod", changes);
+        let unheld = told_of(&dense);
+        assert!(
+            unheld.contains("the gas of region 0 between its wave"),
+            "{unheld}"
+        );
+        assert_eq!(told_of(&dense[2..]), "");
+        // Air that water throws before it is compressed threefold.
+        let thrown = told("water-air", &["region.1.density=1.2"]);
+        assert!(
+            thrown.contains("compressed 0.80 and 2.93 times"),
+            "{thrown}"
+        );
+        assert_eq!(told("water-air", &["region.1.pressure=9e8"]), "");
+        // Two rarefactions leave but a little gas, and push nothing.
+        assert!(!told("toro2", &["resolution.particles=40"]).contains("the contact"));
     }
 
     #[test]

@@ -2,7 +2,6 @@
 
 mod background;
 mod balance;
-mod contact;
 mod description;
 mod doubts;
 mod exact;

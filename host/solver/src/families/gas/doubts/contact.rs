@@ -1,7 +1,7 @@
 //! Contacts that the particles of a start will not hold.
 
-use super::doubts::{LEAST, mass};
-use super::exact::riemann;
+use super::regions::{LEAST, mass};
+use crate::families::gas::exact::riemann;
 use crate::scenario::{Region, Scenario};
 use crate::setup::Placed;
 
@@ -63,35 +63,4 @@ pub(super) fn unheld_contact(scenario: &Scenario, placed: &[Placed]) -> Option<S
             compressed[0], compressed[1]
         )
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::families::gas::doubts::tests::told;
-
-    /// Gas at 1e4 times pressure and density of another spreads to 0.0077 between its wave and the contact.
-    #[test]
-    fn a_contact_that_no_particle_holds_is_told() {
-        let dense = [
-            "region.0.density=1e6",
-            "region.0.pressure=1e6",
-            "resolution.share=volume",
-        ];
-        let told_of = |changes: &[&str]| told("sod", changes);
-        let unheld = told_of(&dense);
-        assert!(
-            unheld.contains("the gas of region 0 between its wave"),
-            "{unheld}"
-        );
-        assert_eq!(told_of(&dense[2..]), "");
-        // Air that water throws before it is compressed threefold.
-        let thrown = told("water-air", &["region.1.density=1.2"]);
-        assert!(
-            thrown.contains("compressed 0.80 and 2.93 times"),
-            "{thrown}"
-        );
-        assert_eq!(told("water-air", &["region.1.pressure=9e8"]), "");
-        // Two rarefactions leave but a little gas, and push nothing.
-        assert!(!told("toro2", &["resolution.particles=40"]).contains("the contact"));
-    }
 }

@@ -21,13 +21,9 @@ fn digests(rows: &[Row]) -> [u64; 2] {
     let mut weight: Vec<_> = rows.iter().map(|row| row.1).collect();
     let mut strength: Vec<_> = rows.iter().map(|row| row.2).collect();
     let (mut value, mut neighbours) = (strength.clone(), vec![0.0; rows.len()]);
-    let mut places = vec![[0.0; 2]; rows.len()];
-    let mut weights = vec![0.0; rows.len()];
     let state = State::<f64, 2, 3> {
         position: &mut position,
         weight: &mut weight,
-        position_remainder: &mut places,
-        weight_remainder: &mut weights,
         strength: &mut strength,
         value: &mut value,
         neighbours: &mut neighbours,

@@ -13,9 +13,9 @@ mod velocity;
 pub(crate) use column::columns;
 pub use column::{Column, ColumnMut, Columns, Components, Field, Kind, Role, Unit};
 pub use place::Place;
-pub use registers::Register;
+pub use registers::{Register, Start};
 pub(crate) use registers::{accumulate, clear, put, remember, remember_strengths};
-pub use state::{Particle, Start, State};
+pub use state::{Particle, State};
 #[cfg(feature = "heapless")]
 pub(crate) use storage::{CloudParts, CloudStorage};
 pub use velocity::{

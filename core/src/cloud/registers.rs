@@ -1,6 +1,6 @@
 //! The three registers of a Runge-Kutta step over a cloud of strengths.
 
-use super::state::{Start, State};
+use super::state::State;
 use crate::domain::Domain;
 use crate::error::Error;
 use crate::numbered::numbered;
@@ -39,18 +39,33 @@ impl<S: Scalar, const D: usize, const P: usize> Register<S, D, P> {
     }
 }
 
+/// What a particle was at the start of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Start<S: Scalar, const D: usize, const P: usize> {
+    /// Its position.
+    pub position: [S; D],
+    /// Its weight.
+    pub weight: S,
+    /// Its strength.
+    pub strength: [S::Wide; P],
+}
+
 /// Remembers a state as the start of a step.
 pub(crate) fn remember<S: Scalar, const D: usize, const P: usize>(
-    state: &mut State<'_, S, D, P>,
+    state: &State<'_, S, D, P>,
     start: &mut [Start<S, D, P>],
 ) -> Result<(), Error> {
     let Some(start) = start.get_mut(..state.len()) else {
         return Err(Error::Lengths);
     };
-    for (id, start) in start.iter_mut().enumerate() {
-        if let Some(row) = state.row(id) {
-            *start = row.start();
-        }
+    let rows = start.iter_mut().zip(state.position.iter());
+    let rows = rows.zip(state.weight.iter());
+    for (((start, &position), &weight), &strength) in rows.zip(state.strength.iter()) {
+        *start = Start {
+            position,
+            weight,
+            strength,
+        };
     }
     Ok(())
 }
@@ -98,10 +113,12 @@ pub(crate) fn put<S: Scalar, const D: usize, const P: usize>(
     per_power: S,
 ) -> Result<(), Error> {
     for (id, (start, rates)) in numbered(start.iter().zip(rates)) {
-        let Some(mut row) = state.row(id) else { break };
+        let Some(row) = state.row(id) else { break };
         if let Some((domain, dt)) = moved {
-            row.put_back(start);
-            row.carry(domain, dt, (&rates.position, rates.weight), id as u32)?;
+            *row.position = start.position;
+            let step = rates.position.map(|a| dt * a);
+            domain.drift(row.position, &step, id as u32)?;
+            *row.weight = start.weight + dt * rates.weight;
         }
         let components = row.strength.iter_mut().zip(&start.strength);
         for ((strength, &q), &rate) in components.zip(&rates.strength) {

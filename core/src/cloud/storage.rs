@@ -2,8 +2,8 @@
 
 use heapless::Vec;
 
-use super::registers::remember;
-use super::state::{Particle, Start, State};
+use super::registers::{Start, remember};
+use super::state::{Particle, State};
 use crate::error::{Container, Error};
 use crate::neighbours::{CellBuffers, Grid, Site};
 use crate::numbered::numbered;
@@ -31,8 +31,6 @@ pub(crate) struct CloudStorage<
 struct Arrays<S: Scalar, const D: usize, const P: usize, const N: usize> {
     position: Vec<[S; D], N>,
     weight: Vec<S, N>,
-    position_remainder: [[S; D]; N],
-    weight_remainder: [S; N],
     value: Vec<[S; P], N>,
     strength: Vec<[S::Wide; P], N>,
     neighbours: [S; N],
@@ -44,8 +42,6 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize> Arrays<S, D, P, 
         State {
             position: &mut self.position,
             weight: &mut self.weight,
-            position_remainder: self.position_remainder.get_mut(..n).unwrap_or(&mut []),
-            weight_remainder: self.weight_remainder.get_mut(..n).unwrap_or(&mut []),
             strength: &mut self.strength,
             value: &mut self.value,
             neighbours: self.neighbours.get_mut(..n).unwrap_or(&mut []),
@@ -83,8 +79,6 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
             arrays: Arrays {
                 position: Vec::new(),
                 weight: Vec::new(),
-                position_remainder: [[S::ZERO; D]; N],
-                weight_remainder: [S::ZERO; N],
                 value: Vec::new(),
                 strength: Vec::new(),
                 neighbours: [S::ZERO; N],
@@ -110,13 +104,8 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
         let start = Start {
             position: particle.position,
             weight: particle.weight,
-            position_remainder: [S::ZERO; D],
-            weight_remainder: S::ZERO,
             strength,
         };
-        let id = self.arrays.weight.len();
-        put(&mut self.arrays.position_remainder, id, [S::ZERO; D]);
-        put(&mut self.arrays.weight_remainder, id, S::ZERO);
         self.arrays
             .position
             .push(particle.position)
@@ -168,16 +157,8 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
         take_last(&mut self.arrays.value, id);
         take_last(&mut self.arrays.strength, id);
         take_last(&mut self.start, id);
-        if let Some(&left) = self.arrays.position_remainder.get(last) {
-            put(&mut self.arrays.position_remainder, id, left);
-        }
-        for array in [
-            &mut self.arrays.weight_remainder,
-            &mut self.arrays.neighbours,
-        ] {
-            if let Some(&value) = array.get(last) {
-                put(array, id, value);
-            }
+        if let Some(&neighbours) = self.arrays.neighbours.get(last) {
+            put(&mut self.arrays.neighbours, id, neighbours);
         }
         self.grid = None;
     }
@@ -185,7 +166,7 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
     /// Remembers the state.
     pub fn keep(&mut self) {
         // There is room for as many as there are particles.
-        let _ = remember(&mut self.arrays.state(), &mut self.start);
+        let _ = remember(&self.arrays.state(), &mut self.start);
     }
 
     /// Goes back to the state that was remembered. No method writes to what it was at the start of a
@@ -193,8 +174,9 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
     pub fn restore(&mut self) {
         let mut state = self.arrays.state();
         for (id, start) in numbered(&self.start) {
-            let Some(mut row) = state.row(id) else { break };
-            row.put_back(start);
+            let Some(row) = state.row(id) else { break };
+            *row.position = start.position;
+            *row.weight = start.weight;
             *row.strength = start.strength;
             row.revalue();
         }

@@ -205,7 +205,7 @@ where
         *work.grid = None;
         let (half, sixth) = (dt.half(), dt / S::count(6));
         for id in 0..state.len() {
-            let Some(mut row) = state.row(id) else { break };
+            let Some(row) = state.row(id) else { break };
             let (x, w) = (*row.position, *row.weight);
             let at = |position: [S; D], weight: S, time: S| {
                 let place = Place { position, time };
@@ -226,14 +226,14 @@ where
             let three = at(y, v, time + half);
             let (y, v) = ahead(&three, dt);
             let four = at(y, v, time + dt);
-            let mut velocity = [S::ZERO; D];
+            let mut step = [S::ZERO; D];
             for i in 0..D {
                 let middle = two.0[i] + three.0[i];
-                velocity[i] = one.0[i] + (middle + middle) + four.0[i];
+                step[i] = sixth * (one.0[i] + (middle + middle) + four.0[i]);
             }
             let middle = two.1 + three.1;
-            let growth = one.1 + (middle + middle) + four.1;
-            row.carry(&self.domain, sixth, (&velocity, growth), id as u32)?;
+            *row.weight = w + sixth * (one.1 + (middle + middle) + four.1);
+            self.domain.drift(row.position, &step, id as u32)?;
             row.revalue();
         }
         Ok(())

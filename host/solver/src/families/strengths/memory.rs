@@ -8,8 +8,6 @@ use motes_core::scalar::Scalar;
 pub(in crate::families) struct CloudArrays<S: Scalar, const D: usize, const P: usize> {
     pub position: Vec<[S; D]>,
     pub weight: Vec<S>,
-    position_remainder: Vec<[S; D]>,
-    weight_remainder: Vec<S>,
     pub value: Vec<[S; P]>,
     pub strength: Vec<[S::Wide; P]>,
     pub neighbours: Vec<S>,
@@ -33,8 +31,8 @@ pub(in crate::families) struct Registers<S: Scalar, const D: usize, const P: usi
 
 impl<S: Scalar, const D: usize, const P: usize> CloudArrays<S, D, P> {
     /// Bytes that one particle takes, with a typical neighbour list.
-    pub const BYTES: usize = size_of::<[S; D]>() * 2
-        + size_of::<S>() * (3 + P)
+    pub const BYTES: usize = size_of::<[S; D]>()
+        + size_of::<S>() * (2 + P)
         + size_of::<S::Wide>() * P
         + size_of::<Site<S, D>>()
         + size_of::<u32>() * (6 + 16)
@@ -58,15 +56,11 @@ impl<S: Scalar, const D: usize, const P: usize> CloudArrays<S, D, P> {
         let start = Start {
             position: [S::ZERO; D],
             weight: S::ZERO,
-            position_remainder: [S::ZERO; D],
-            weight_remainder: S::ZERO,
             strength: nothing,
         };
         Self {
             position,
             weight,
-            position_remainder: vec![[S::ZERO; D]; n],
-            weight_remainder: vec![S::ZERO; n],
             value,
             strength: vec![nothing; n],
             neighbours: vec![S::ZERO; n],
@@ -89,8 +83,6 @@ impl<S: Scalar, const D: usize, const P: usize> CloudArrays<S, D, P> {
         let state = State {
             position: &mut self.position,
             weight: &mut self.weight,
-            position_remainder: &mut self.position_remainder,
-            weight_remainder: &mut self.weight_remainder,
             strength: &mut self.strength,
             value: &mut self.value,
             neighbours: &mut self.neighbours,

@@ -453,3 +453,28 @@ fn a_doubtful_set_up_comes_with_a_warning() {
     );
     assert_eq!(doubts(&[]), "");
 }
+
+/// A field that carries particles by less than half a last place a step leaves them where they are, and by few
+/// of them astray; both are told.
+#[cfg(feature = "fixed-point")]
+#[test]
+fn particles_that_are_carried_by_few_last_places_are_told() {
+    let told = |scalar: &str, changes: &[&str]| {
+        let experiment = experiment(scenario("acoustics1d", changes), scalar, 1).unwrap();
+        let warnings = experiment.simulation.warnings(&experiment.outcome);
+        let told = warnings
+            .into_iter()
+            .filter(|text| text.contains("last place"));
+        told.collect::<Vec<_>>()
+    };
+    let slow = ["motion.kind=uniform", "motion.velocity=[1e-5]"];
+    let still = told("q15.16", &slow);
+    assert_eq!(still.len(), 1, "{still:?}");
+    assert!(still[0].contains("up to 100 % astray"), "{still:?}");
+    let none = Vec::<String>::new();
+    for scalar in ["q31.32", "f32"] {
+        assert_eq!(told(scalar, &slow), none, "{scalar}");
+    }
+    assert_eq!(told("q15.16", &[]), none);
+    assert_eq!(told("q15.16", &["motion.kind=still"]), none);
+}

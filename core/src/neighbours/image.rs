@@ -1,5 +1,8 @@
 //! Images: how particles are seen through the sides of a domain.
 
+use crate::domain::Wall;
+use crate::numbered::numbered;
+
 /// How a run is seen along one direction.
 pub mod code {
     /// Not an image.
@@ -29,6 +32,32 @@ impl<const D: usize> Image<D> {
 
     /// The particles themselves.
     pub const SELF: Self = Self([code::DIRECT; D]);
+
+    /// The walls that it is seen in: the direction and the end of each, 0 for the lower one.
+    #[inline(always)]
+    pub fn ends(&self) -> impl Iterator<Item = (usize, usize)> {
+        numbered(&self.0).filter_map(|(axis, &seen)| match seen {
+            code::LOWER_WALL => Some((axis, 0)),
+            code::UPPER_WALL => Some((axis, 1)),
+            _ => None,
+        })
+    }
+
+    /// The same, of walls at these positions.
+    #[inline(always)]
+    pub(crate) fn walls<S: Copy>(
+        &self,
+        positions: &[[Option<S>; 2]; D],
+    ) -> impl Iterator<Item = Wall<S>> {
+        self.ends().filter_map(|(axis, end)| {
+            let position = (*positions.get(axis)?.get(end)?)?;
+            Some(Wall {
+                axis,
+                end,
+                position,
+            })
+        })
+    }
 
     /// All codes in one word.
     pub fn packed(self) -> u32 {

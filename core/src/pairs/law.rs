@@ -3,7 +3,7 @@
 use crate::cutoff::{CutOff, Needs, Parts, Peaks, Shape, Shapes};
 use crate::domain::Wall;
 use crate::error::{Error, Quantity};
-use crate::neighbours::{Cells, Image, code};
+use crate::neighbours::{Cells, Image};
 use crate::numbered::numbered;
 use crate::scalar::enclosure::worse;
 use crate::scalar::{Enclosure, Number, Scalar};
@@ -231,22 +231,8 @@ pub fn by_pairs<S: Scalar, const D: usize, W: Law<S, D>>(
                 return;
             };
             let mut shown = *shown;
-            for (axis, (seen, ends)) in numbered(partner.image.0.into_iter().zip(walls)) {
-                let end = match seen {
-                    code::LOWER_WALL => 0,
-                    code::UPPER_WALL => 1,
-                    _ => continue,
-                };
-                if let Some(position) = ends[end] {
-                    shown = image(
-                        &shown,
-                        &Wall {
-                            axis,
-                            end,
-                            position,
-                        },
-                    );
-                }
+            for wall in partner.image.walls(&walls) {
+                shown = image(&shown, &wall);
             }
             let ends = [&node.splat::<S>(), &shown.splat::<S>()];
             let apart = Separation::of(law, ends, partner.r, partner.distance_squared).enclosed();

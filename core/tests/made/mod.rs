@@ -21,3 +21,22 @@ impl From<Result<(), Error>> for Made {
         }
     }
 }
+
+/// Nothing that was proven overflowed; and of both kinds there were some.
+pub fn agree(pairs: &[(Made, Made)]) {
+    for (at, &(guarded, marked)) in pairs.iter().enumerate() {
+        assert!(
+            guarded != Made::Steps || marked == Made::Steps,
+            "case {at}: proven, and {marked:?}: {pairs:?}"
+        );
+        // Where an overflow was marked, a proof had failed before.
+        assert!(
+            marked != Made::Overflowed || guarded == Made::Unproven,
+            "case {at}: {guarded:?}, and {marked:?}: {pairs:?}"
+        );
+    }
+    let proven = pairs.iter().any(|pair| pair.0 == Made::Steps);
+    let refused = pairs.iter().any(|pair| pair.0 == Made::Unproven);
+    let overflowed = pairs.iter().any(|pair| pair.1 == Made::Overflowed);
+    assert!(proven && refused && overflowed, "{pairs:?}");
+}

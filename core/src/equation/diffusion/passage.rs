@@ -16,7 +16,7 @@ use crate::cloud::{Register, VelocityField};
 use crate::cutoff::CutOff;
 use crate::domain::{Side, Wall};
 use crate::error::Error;
-use crate::neighbours::{Cells, Image, code};
+use crate::neighbours::{Cells, Image};
 use crate::numbered::numbered;
 use crate::pairs::{Engine, Ground, Law, Partner, each_image, each_partner};
 use crate::scalar::Scalar;
@@ -37,13 +37,9 @@ where
 
     /// The walls in which an image is seen.
     fn walls_of(&self, image: &Image<D>) -> impl Iterator<Item = Wall<S>> {
-        let seen = numbered(image.0.into_iter().zip(&self.domain.axes));
-        seen.filter_map(|(axis, (seen, sides))| {
-            let (end, position) = match seen {
-                code::LOWER_WALL => (0, sides.lower),
-                code::UPPER_WALL => (1, sides.upper),
-                _ => return None,
-            };
+        image.ends().filter_map(|(axis, end)| {
+            let sides = self.domain.axes.get(axis)?;
+            let position = if end == 0 { sides.lower } else { sides.upper };
             Some(Wall {
                 axis,
                 end,

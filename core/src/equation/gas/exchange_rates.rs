@@ -8,7 +8,8 @@ use crate::pairs::{Engine, Fields, Settled, holds};
 use crate::scalar::Scalar;
 
 use super::dynamics::GasDynamics;
-use super::exchange::{Extras, Flow as EnergyFlow, Work};
+use super::energy::{Flow as EnergyFlow, Work};
+use super::exchange::Extras;
 use super::gradient::{Gradient, GradientNode, GradientSums, divergence};
 use super::options::{EnergyForm, Options, Plain};
 use super::physics::{Physics, Sorted, Thermal};

@@ -18,6 +18,7 @@ pub mod density;
 pub mod direction;
 mod dynamics;
 mod end;
+pub mod energy;
 pub mod exchange;
 mod exchange_rates;
 pub mod far;

@@ -1,9 +1,8 @@
 //! What a gas exerts on the walls of its domain.
 
 use crate::cutoff::CutOff;
-use crate::domain::Wall;
 use crate::material::EquationOfState;
-use crate::neighbours::{Image, code};
+use crate::neighbours::Image;
 use crate::numbered::numbered;
 use crate::pairs::{Fields, Law, Partner, Separation, each_image};
 use crate::scalar::Scalar;
@@ -40,7 +39,7 @@ impl<const D: usize> WallForces<D> {
         force: &[f64; D],
         sticks: impl Fn(usize, usize) -> bool + Copy,
     ) {
-        let walls = || numbered(&image.0).filter_map(|(axis, &seen)| Some((axis, end_of(seen)?)));
+        let walls = || image.ends();
         let are_any = walls().any(|(axis, end)| sticks(axis, end));
         let holds = |&(axis, end): &(usize, usize)| sticks(axis, end) || !are_any;
         let count = walls().filter(holds).count().max(1) as f64;
@@ -59,15 +58,6 @@ impl<const D: usize> WallForces<D> {
                 }
             }
         }
-    }
-}
-
-/// The end of a direction that an image lies beyond; `None` where it is no mirror image.
-fn end_of(seen: u8) -> Option<usize> {
-    match seen {
-        code::LOWER_WALL => Some(0),
-        code::UPPER_WALL => Some(1),
-        _ => None,
     }
 }
 
@@ -111,16 +101,8 @@ where
                     return;
                 };
                 let mut shown = *shown;
-                for (axis, (&seen, ends)) in numbered(partner.image.0.iter().zip(&walls)) {
-                    let Some(end) = end_of(seen) else { continue };
-                    if let Some(position) = ends[end] {
-                        let wall = Wall {
-                            axis,
-                            end,
-                            position,
-                        };
-                        shown = law.reflected(&shown, &wall);
-                    }
+                for wall in partner.image.walls(&walls) {
+                    shown = law.reflected(&shown, &wall);
                 }
                 let l = shown.splat::<S>();
                 let apart = Separation::of(&law, [&k, &l], partner.r, partner.distance_squared);

@@ -18,7 +18,7 @@
 //!
 //! Morris, Fox & Zhu, J. Comp. Phys. 136, 214 (1997) reverse velocities likewise, by distances from the wall.
 
-use crate::neighbours::{Image, code};
+use crate::neighbours::Image;
 use crate::numbered::numbered;
 use crate::scalar::{Number, Scalar};
 
@@ -72,12 +72,7 @@ impl<S: Scalar, const D: usize> NoSlip<S, D> {
     pub fn seen<N: Number<Scalar = S>>(&self, image: &Image<D>) -> Option<Reversal<N, D>> {
         let (mut turned, mut sign) = ([S::ONE; D], [S::ONE; D]);
         let (mut sum, mut count) = ([S::ZERO; D], 0u32);
-        for (axis, &seen) in numbered(&image.0) {
-            let end = match seen {
-                code::LOWER_WALL => 0,
-                code::UPPER_WALL => 1,
-                _ => continue,
-            };
+        for (axis, end) in image.ends() {
             let wall = self.of(axis, end);
             count = count.saturating_add(u32::from(wall.is_some()));
             for i in 0..D {

@@ -1,4 +1,4 @@
-//! Values so small that a fixed-point format holds but a few digits of them.
+//! Values and ways so small that a fixed-point format holds but a few digits of them.
 
 use super::plan::Plan;
 use crate::run::Series;
@@ -43,6 +43,24 @@ pub(super) fn few_digits(
             plan.names[i],
             largest[i],
             50.0 / units
+        )
+    })
+}
+
+/// Units of the last place that a step of the fastest particle takes at least, for an error of a per cent
+/// of where it goes: each step is rounded to one.
+const LEAST_STEP: f64 = 50.0;
+
+/// Particles that a field carries by so few units of the last place a step, `tiniest`, that rounding tells where they
+/// go; by less than half of one they stand still.
+pub(super) fn short_steps(plan: &Plan, tiniest: f64, steps: u64) -> Option<String> {
+    let units = plan.fastest * plan.end / steps as f64 / tiniest;
+    (units > 0.0 && units < LEAST_STEP).then(|| {
+        format!(
+            "particles are carried by at most {units:.2} units of the last place of this format a step, and by less \
+             than half of one not at all: they go up to {:.0} % astray; use a format with more fractional bits, or \
+             longer steps",
+            (50.0 / units).min(100.0)
         )
     })
 }

@@ -50,6 +50,8 @@ pub struct Plan {
     pub symmetriser: Option<Symmetriser>,
     /// What the particles follow.
     pub(in crate::families) field: PlannedField,
+    /// The speed of the fastest of them at the start.
+    pub(super) fastest: f64,
     /// The cut-off.
     pub cut_off: Named,
     /// Its width.
@@ -147,6 +149,7 @@ impl Plan {
                 extent: scenario.domain.extent.clone(),
                 units,
             },
+            fastest: fastest(scenario, &scenario.motion, &quadrature.positions) / units.velocity,
             cut_off: scenario.cut_off.shape,
             epsilon,
             method: scenario.time.method,
@@ -314,6 +317,16 @@ fn axis(scenario: &LinearScenario, i: usize, length: f64) -> Axis<f64> {
     }
 }
 
+/// The largest speed of a field at some places, in the scenario's units.
+fn fastest(scenario: &LinearScenario, field: &Field, positions: &[[f64; 3]]) -> f64 {
+    let planned = PlannedField {
+        field: field.clone(),
+        extent: scenario.domain.extent.clone(),
+        units: Units::ONE,
+    };
+    planned.fastest(positions)
+}
+
 /// The fastest of waves, flows and particles at the start; 1 where nothing moves.
 fn velocity(
     scenario: &LinearScenario,
@@ -327,16 +340,9 @@ fn velocity(
         System::Transport { velocity, .. } => Some(velocity),
         _ => None,
     };
-    let fastest = |field: &Field| {
-        let planned = PlannedField {
-            field: field.clone(),
-            extent: scenario.domain.extent.clone(),
-            units: Units::ONE,
-        };
-        planned.fastest(positions)
-    };
-    let flow = flow.map_or(0.0, fastest);
-    let fastest = waves.max(flow).max(fastest(&scenario.motion));
+    let of_field = |field: &Field| fastest(scenario, field, positions);
+    let flow = flow.map_or(0.0, of_field);
+    let fastest = waves.max(flow).max(of_field(&scenario.motion));
     let fastest = match &scenario.system {
         System::ConvectionDiffusion(problem) => {
             let largest = problem.diffusivity.iter().copied().fold(0.0, f64::max);

@@ -10,7 +10,7 @@ use motes_core::scalar::Scalar;
 
 use super::balance::{Source, balance};
 use super::description::description;
-use super::digits::few_digits;
+use super::digits::{few_digits, short_steps};
 use super::doubts::{thin, undamped};
 use super::growth::Monitor;
 use super::memory::CloudArrays;
@@ -455,13 +455,15 @@ where
                  larger epsilon (cut-off.eta)"
             )
         });
-        let blurred = S::WRAPS.then(|| {
-            let (tiniest, weights) = (S::TINIEST.to_f64(), self.energy_weights());
-            few_digits(&self.plan, tiniest, &weights, &outcome.series)
+        let tiniest = S::WRAPS.then(|| S::TINIEST.to_f64());
+        let blurred = tiniest.and_then(|tiniest| {
+            few_digits(&self.plan, tiniest, &self.energy_weights(), &outcome.series)
         });
+        let astray = tiniest.and_then(|tiniest| short_steps(&self.plan, tiniest, self.clock.steps));
         let beyond = beyond(&self.plan, &outcome.series);
         thin.into_iter()
-            .chain(blurred.flatten())
+            .chain(blurred)
+            .chain(astray)
             .chain(beyond)
             .collect()
     }

@@ -1,7 +1,10 @@
 //! Walls that a viscous gas sticks to, against exact flows, what a wall exerts, and what energy it gives.
 
+mod clouds;
+
 use std::f64::consts::PI;
 
+use clouds::{Stream, lattice};
 use motes_core::cutoff::WendlandC2;
 use motes_core::domain::{Axis, Domain};
 use motes_core::equation::gas::viscosity::Inviscid;
@@ -23,32 +26,18 @@ const VISCOSITY: f64 = 1.6;
 type Solver<'m, const D: usize> =
     GasDynamics<'m, f64, WendlandC2, Inviscid, Tait<f64>, Options<f64, D>, D>;
 
-/// Equal particles on a lattice of spacing 1, moved by up to half of `jitter`, at rest.
+/// A [`lattice`] whose particles have moved by up to half of `jitter`.
 fn cloud<const D: usize>(counts: [usize; D], jitter: f64) -> Vec<Particle<f64, D>> {
-    let mut seed = 1u64;
-    let mut random = || {
-        seed = seed
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        (seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
-    };
-    let place = |i: usize| {
-        let mut rest = i;
-        let mut position = [0.0; D];
-        for (x, count) in position.iter_mut().zip(counts).rev() {
-            *x = (rest % count) as f64 + 0.5 + jitter * random();
-            rest /= count;
+    let mut stream = Stream::new(1);
+    let mut particles = lattice(counts);
+    for particle in &mut particles {
+        // Of a gas that does not feel it the energy is only kept account of: from 0 its changes keep their digits.
+        (particle.energy, particle.epsilon) = (0.0, 1.3);
+        for x in &mut particle.position {
+            *x += 0.5 * jitter * stream.next();
         }
-        Particle {
-            position,
-            velocity: [0.0; D],
-            mass: 1.0,
-            energy: 1.0,
-            epsilon: 1.3,
-            material: 0,
-        }
-    };
-    (0..counts.iter().product()).map(place).collect()
+    }
+    particles
 }
 
 fn viscous<const D: usize>(walls: [[Option<[f64; D]>; 2]; D], pull: f64) -> Options<f64, D> {

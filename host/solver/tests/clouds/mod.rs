@@ -158,3 +158,25 @@ pub fn sides<const D: usize>(number: usize) -> [[Side; 2]; D] {
         kind
     })
 }
+
+/// Equal particles in the middles of cells of side 1 that fill a box from 0 to `counts`, at
+/// rest.
+pub fn lattice<const D: usize>(counts: [usize; D]) -> Vec<Particle<f64, D>> {
+    let place = |i: usize| {
+        let mut rest = i;
+        let mut position = [0.0; D];
+        for (x, count) in position.iter_mut().zip(counts).rev() {
+            *x = (rest % count) as f64 + 0.5;
+            rest /= count;
+        }
+        Particle {
+            position,
+            velocity: [0.0; D],
+            mass: 1.0,
+            energy: 1.8,
+            epsilon: 1.6,
+            material: 0,
+        }
+    };
+    (0..counts.iter().product()).map(place).collect()
+}

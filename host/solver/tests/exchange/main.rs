@@ -14,7 +14,7 @@ mod stress;
 mod switches;
 mod walls;
 
-use clouds::Cloud;
+use clouds::{Cloud, lattice};
 use motes_core::cutoff::CutOff;
 use motes_core::domain::{Axis, Domain};
 use motes_core::equation::gas::exchange::Extras;
@@ -76,28 +76,6 @@ fn dot<const D: usize>(a: &[f64; D], b: &[f64; D]) -> f64 {
 /// `a x`.
 fn times<const D: usize>(a: &Matrix<D>, x: &[f64; D]) -> [f64; D] {
     a.map(|row| dot(&row, x))
-}
-
-/// Equal particles in the middles of cells of side 1 that fill a box from 0 to `counts`, at
-/// rest.
-fn lattice<const D: usize>(counts: [usize; D]) -> Vec<Particle<f64, D>> {
-    let place = |i: usize| {
-        let mut rest = i;
-        let mut position = [0.0; D];
-        for (x, count) in position.iter_mut().zip(counts).rev() {
-            *x = (rest % count) as f64 + 0.5;
-            rest /= count;
-        }
-        Particle {
-            position,
-            velocity: [0.0; D],
-            mass: 1.0,
-            energy: 1.8,
-            epsilon: 1.6,
-            material: 0,
-        }
-    };
-    (0..counts.iter().product()).map(place).collect()
 }
 
 /// The periodic box of a [`lattice`].

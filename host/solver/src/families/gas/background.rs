@@ -10,6 +10,7 @@
 //! - isothermal gas: `p' = c² ρ - p_0`, Tait's law with n = 1 and `ρ0 = p_0/c²`;
 //! - Tait's law: `B + p_0` in place of B, and `ρ0 (1 + p_0/B)^(1/n)` in place of ρ0.
 
+use super::plan::Plan;
 use crate::scenario::EquationOfState;
 
 /// A material without the pressure `background`, >= 0; with 0 the material itself.
@@ -49,6 +50,20 @@ pub(super) fn without(law: &EquationOfState, background: f64) -> EquationOfState
                 exponent,
             }
         }
+    }
+}
+
+impl Plan {
+    /// The pressure that the materials leave out, in the scenario's units.
+    pub(super) fn background(&self) -> f64 {
+        self.options.background * (self.units.density() * self.units.energy())
+    }
+
+    /// The volume of the domain, in the scenario's units.
+    pub(super) fn volume(&self) -> f64 {
+        let axes = self.axes[..self.dimension].iter();
+        let lengths = axes.map(|axis| axis.upper - axis.lower);
+        lengths.map(|length| length * self.units.length).product()
     }
 }
 

@@ -8,6 +8,7 @@ mod exact;
 mod far;
 mod fitness;
 mod limits;
+mod measures;
 mod memory;
 mod opening;
 mod packing;
@@ -15,6 +16,7 @@ mod plan;
 mod planning;
 mod simulation;
 mod walls;
+mod warnings;
 
 pub use exact::{ExactError, ExactSolution, FIELDS};
 pub use memory::{GasArrays, OptionsArrays, PlainArrays};

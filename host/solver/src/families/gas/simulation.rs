@@ -12,20 +12,22 @@ use motes_core::integrator::Clock;
 use motes_core::material::{EquationOfState, Named as NamedMaterial};
 use motes_core::scalar::Scalar;
 
-use super::balance::{MassLedger, balance, columns};
-use super::description::{description, turns};
+use super::balance::{MassLedger, balance};
+use super::description::description;
 use super::limits::check_format;
+use super::measures::{Observed, Totals};
 use super::memory::GasArrays;
 use super::opening::OpenSides;
 use super::plan::Plan;
 use super::walls::WallLedger;
+use super::warnings::{Lonely, drifted};
 use crate::engine::{Holder, HostScalar, Threads};
 use crate::families::apart::{Frame, check_apart};
 use crate::run::{
-    Balance, Description, Measures, Outcome, Row, RunError, Schedule, Simulation, Spread,
-    Spreading, Step, Stops, Sum, check_memory, check_step,
+    Balance, Description, Measures, Outcome, Row, RunError, Schedule, Simulation, Spread, Step,
+    Stops, Sum, check_memory, check_step,
 };
-use crate::sums::{Compensated, compensated};
+use crate::sums::compensated;
 
 /// The equations in the scalar of the run.
 struct Setup<S: Scalar, P, const D: usize> {
@@ -51,13 +53,6 @@ impl<S: Scalar, P: Physics<S, D>, const D: usize> Setup<S, P, D> {
         let opening = self.plan.opening.as_ref();
         opening.map(|opening| opening.rounded(&self.layer))
     }
-}
-
-/// A particle with fewer neighbours than a density can be trusted with.
-struct Lonely {
-    particle: usize,
-    time: f64,
-    neighbours: f64,
 }
 
 /// A gas in the memory of a server.
@@ -134,17 +129,6 @@ fn prepared<S: HostScalar, P: Physics<S, D> + Send + 'static, const D: usize>(
     Ok(Box::new(simulation))
 }
 
-/// A particle in the scenario's units.
-struct Particle {
-    position: [f64; 3],
-    velocity: [f64; 3],
-    mass: f64,
-    density: f64,
-    pressure: f64,
-    energy: f64,
-    sound_speed: f64,
-}
-
 impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> GasSimulation<S, P, D> {
     fn check_apart(&self, scalar: &str) -> Result<(), RunError> {
         let plan = &self.setup.plan;
@@ -199,7 +183,7 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> GasSimulation<S, P,
             .axes
             .iter()
             .map(|axis| (axis.upper - axis.lower) * plan.units.length);
-        let drops = self.external().into_iter().zip(lengths);
+        let drops = plan.acceleration().into_iter().zip(lengths);
         let work: f64 = drops.map(|(g, length)| (g * length).abs()).sum();
         compensated(self.seen().map(|id| {
             let particle = self.particle(id);
@@ -208,8 +192,7 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> GasSimulation<S, P,
                 true => particle.energy.abs(),
                 false => particle.sound_speed * particle.sound_speed,
             };
-            let squares = particle.velocity.iter().map(|u| u * u).sum::<f64>();
-            particle.mass * (internal + 0.5 * squares + work)
+            particle.mass * (internal + particle.kinetic_energy() + work)
         }))
     }
 
@@ -233,13 +216,6 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> GasSimulation<S, P,
             power = compensated(rows.map(|(mass, u)| mass.to_f64() * along(u)));
         }
         self.walls.follow(forces, power, dt);
-    }
-
-    /// Of the domain, in the scenario's units.
-    fn volume(&self) -> f64 {
-        let plan = &self.setup.plan;
-        let lengths = plan.axes[..D].iter().map(|axis| axis.upper - axis.lower);
-        lengths.map(|length| length * plan.units.length).product()
     }
 
     /// What an error of the solver is from here.
@@ -274,13 +250,16 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> GasSimulation<S, P,
         all.filter(|&id| !self.is_beyond(&self.memory.position[id]))
     }
 
-    fn particle(&self, id: usize) -> Particle {
+    fn particle(&self, id: usize) -> Observed {
         let (units, gas) = (&self.setup.plan.units, &self.memory);
         let (density, energy) = (gas.density[id], gas.energy[id]);
         let law = &self.setup.materials[usize::from(gas.material[id])];
         let pressure = law.pressure(density, energy);
-        let (background, mass_density) = (self.background(), density.to_f64() * units.density());
-        let mut particle = Particle {
+        let (background, mass_density) = (
+            self.setup.plan.background(),
+            density.to_f64() * units.density(),
+        );
+        let mut particle = Observed {
             position: [0.0; 3],
             velocity: [0.0; 3],
             mass: gas.mass[id].to_f64() * units.mass,
@@ -295,26 +274,6 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> GasSimulation<S, P,
             particle.velocity[i] = gas.velocity[id][i].to_f64() * units.velocity;
         }
         particle
-    }
-
-    /// The work from outside since the start, in the scenario's units.
-    fn work(&self) -> f64 {
-        let units = &self.setup.plan.units;
-        self.walls.work() * units.mass * units.energy()
-    }
-
-    /// The pressure that the materials leave out, in the scenario's units.
-    fn background(&self) -> f64 {
-        let (plan, units) = (&self.setup.plan, &self.setup.plan.units);
-        plan.options.background * (units.density() * units.energy())
-    }
-
-    /// The external acceleration in the scenario's units.
-    fn external(&self) -> [f64; 3] {
-        let plan = &self.setup.plan;
-        let unit = plan.units.velocity / plan.units.time();
-        let acceleration = plan.options.plain.acceleration;
-        acceleration.map(|component| component * unit)
     }
 }
 
@@ -419,91 +378,17 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
     }
 
     fn measures(&self) -> Measures {
-        let (mut pull, background) = (self.external(), self.background());
-        for (component, axis) in pull.iter_mut().zip(&self.setup.plan.axes) {
-            // No place along a circle is higher than another.
-            if axis.is_periodic() {
-                *component = 0.0;
-            }
-        }
-        let mut sums = [Compensated::default(); 9];
-        let mut spreads = [Spreading::default(); 4];
-        for id in self.seen() {
-            let Particle {
-                position: x,
-                velocity: u,
-                mass,
-                density,
-                pressure,
-                energy,
-                ..
-            } = self.particle(id);
-            let speed = u.iter().map(|u| u * u).sum::<f64>().sqrt();
-            let kinetic = 0.5 * mass * speed * speed;
-            let along: f64 = x.iter().zip(&pull).map(|(x, g)| x * g).sum();
-            let turn = |i: usize| {
-                let (a, b) = ((i + 1) % 3, (i + 2) % 3);
-                mass * (x[a] * u[b] - x[b] * u[a])
-            };
-            let terms = [
-                mass,
-                mass * u[0],
-                mass * u[1],
-                mass * u[2],
-                turn(0),
-                turn(1),
-                turn(2),
-                mass * (energy + background / density) + kinetic - mass * along,
-                kinetic,
-            ];
-            sums.iter_mut()
-                .zip(terms)
-                .for_each(|(sum, term)| sum.add(term));
-            let speed = if D == 1 { u[0] } else { speed };
-            let neighbours = self.memory.neighbours[id].to_f64();
-            let values = [density, speed, pressure, neighbours];
-            spreads
-                .iter_mut()
-                .zip(values)
-                .for_each(|(spread, value)| spread.add(value));
-        }
-        let [mass, px, py, pz, lx, ly, lz, energy, kinetic] = sums.map(|sum| sum.value());
-        // What forces conserve: the particles' volumes sum to that of the domain but for their noise.
-        let energy = energy - background * self.volume();
-        let (momentum, angular) = ([px, py, pz], [lx, ly, lz]);
-        let mut diagnostics = vec![mass];
-        diagnostics.extend(&momentum[..D]);
-        diagnostics.push(energy);
-        for spread in spreads {
-            let Spread { min, mean, max } = spread.spread();
-            diagnostics.extend([min, mean, max]);
-        }
-        diagnostics.push(kinetic);
-        diagnostics.extend(turns(D).iter().map(|&i| angular[i]));
         let plan = &self.setup.plan;
-        let columns = columns(plan.opening.as_ref()).into_iter();
-        diagnostics.extend(columns.map(|(end, _)| self.ledger.mass(end) * plan.units.mass));
-        let unit = plan.units.mass * plan.units.velocity / plan.units.time();
-        let forces = plan.force_columns().into_iter();
-        diagnostics
-            .extend(forces.map(|((axis, end, i), _)| self.walls.forces.force[axis][end][i] * unit));
-        diagnostics.extend(plan.work_column().map(|_| self.work()));
-        let values = [
-            vec![mass],
-            momentum.to_vec(),
-            angular.to_vec(),
-            vec![energy],
-        ];
-        let sums = values.into_iter().zip(self.sizes);
-        Measures {
-            diagnostics,
-            sums: sums.map(|(value, size)| Sum { value, size }).collect(),
+        let mut totals = Totals::new(plan);
+        for id in self.seen() {
+            totals.add(&self.particle(id), self.memory.neighbours[id].to_f64());
         }
+        totals.measures(&self.ledger, &self.walls, self.sizes)
     }
 
     fn expected(&self, mut first: Vec<Sum>) -> Vec<Sum> {
         if let Some(energy) = first.last_mut().and_then(|sum| sum.value.first_mut()) {
-            *energy += self.work();
+            *energy += self.walls.work(&self.setup.plan);
         }
         first
     }
@@ -542,31 +427,7 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
     }
 
     fn warnings(&self, outcome: &Outcome) -> Vec<String> {
-        let lonely = self.lonely.iter().map(|lonely| {
-            format!(
-                "particle {} had {} neighbour(s) at t = {:.6}: its density no longer feels the \
-                 spacing, and waves may move at wrong speeds; use eta, or a larger epsilon",
-                lonely.particle, lonely.neighbours, lonely.time
-            )
-        });
+        let lonely = self.lonely.iter().map(Lonely::to_string);
         lonely.chain(drifted::<S>(outcome)).collect()
     }
-}
-
-/// The energy that a sound run may gain or lose: leap-frog and viscosity stay far below it.
-const SOUND_DRIFT: f64 = 1e-3;
-
-/// A warning where the energy has moved as it does not in a sound run.
-fn drifted<S: Scalar>(outcome: &Outcome) -> Option<String> {
-    let drift = outcome.drift_of("energy");
-    let cause = match S::HAS_EXACT_SUMS {
-        true => {
-            "numbers may have overflowed (--check-overflow tells), else the time step is too large \
-             (time.courant)"
-        }
-        false => "the time step is too large: use a smaller time.courant",
-    };
-    (outcome.is_conserving && !(drift.abs() < SOUND_DRIFT)).then(|| {
-        format!("the total energy moved by {drift:.1e} of kinetic, internal and external energy: {cause}")
-    })
 }

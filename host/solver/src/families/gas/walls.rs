@@ -38,9 +38,9 @@ impl<const D: usize> WallLedger<D> {
         (self.forces, self.power) = (forces, power);
     }
 
-    /// The work since the start.
-    pub fn work(&self) -> f64 {
-        self.work.value()
+    /// The work since the start, in the scenario's units.
+    pub fn work(&self, plan: &Plan) -> f64 {
+        self.work.value() * plan.units.mass * plan.units.energy()
     }
 }
 
@@ -58,7 +58,24 @@ impl Plan {
             .any(|&component| component != 0.0)
     }
 
-    /// The acceleration along periodic directions.
+    /// The external acceleration, in the scenario's units.
+    pub(super) fn acceleration(&self) -> [f64; 3] {
+        let unit = self.units.velocity / self.units.time();
+        let acceleration = self.options.plain.acceleration;
+        acceleration.map(|component| component * unit)
+    }
+
+    /// The same along the directions that give places an energy: no place along a circle is higher than
+    /// another.
+    pub(super) fn potential_pull(&self) -> [f64; 3] {
+        let acceleration = self.acceleration();
+        std::array::from_fn(|i| match self.axes[i].is_periodic() {
+            true => 0.0,
+            false => acceleration[i],
+        })
+    }
+
+    /// The acceleration along periodic directions, in units of the solver.
     pub(super) fn periodic_pull(&self) -> [f64; 3] {
         let acceleration = self.options.plain.acceleration;
         std::array::from_fn(|i| match self.axes[i].is_periodic() {

@@ -24,6 +24,8 @@ const NARROW: f64 = 4.5;
 struct Start {
     /// The largest difference of a velocity from the mean one.
     speed: f64,
+    /// The largest that walls and an acceleration along periodic sides will bring about.
+    driven: f64,
     sound_speed: f64,
     spacing: f64,
     /// Lowest and mean.
@@ -47,6 +49,7 @@ impl Start {
         let largest = |of: &dyn Fn(&Placed) -> f64| placed.iter().map(of).fold(0.0, f64::max);
         Self {
             speed: largest(&squared).sqrt(),
+            driven: driven(scenario, mean),
             sound_speed: largest(&sound).sqrt(),
             spacing: libm::pow(
                 volume / placed.len().max(1) as f64,
@@ -61,6 +64,36 @@ impl Start {
     }
 }
 
+/// The largest difference from a velocity that walls move with, or that an acceleration along periodic sides
+/// reaches, `a t`, at most the `a h²/(8 ν)` of Poiseuille between walls at a distance of h.
+fn driven(scenario: &Scenario, mean: [f64; 3]) -> f64 {
+    let apart = |wall: &Vec<f64>| {
+        let squares = wall
+            .iter()
+            .zip(mean)
+            .map(|(u, mean)| (u - mean) * (u - mean));
+        squares.sum::<f64>().sqrt()
+    };
+    let walls = scenario.walls.iter().flatten().flatten().map(apart);
+    let extent = &scenario.domain.extent;
+    let widths = scenario
+        .walls
+        .iter()
+        .enumerate()
+        .filter(|(_, ends)| ends.iter().all(Option::is_some));
+    let width = widths
+        .map(|(axis, _)| extent.upper[axis] - extent.lower[axis])
+        .fold(f64::INFINITY, f64::min);
+    let until = scenario
+        .time
+        .end
+        .min(width * width / (8.0 * scenario.diffusion.viscosity));
+    let along = scenario.acceleration.iter().zip(&scenario.domain.sides);
+    let pulled = along.filter(|(_, sides)| sides.contains(&Side::Periodic));
+    let pulled = pulled.map(|(component, _)| component.abs() * until);
+    walls.chain(pulled).fold(0.0, f64::max)
+}
+
 /// Slow viscous flow that particles resist like a solid.
 pub(super) fn solid(scenario: &Scenario, placed: &[Placed]) -> Option<String> {
     let is_wave = matches!(scenario.profile, Some(Profile::SoundWave { .. }));
@@ -68,15 +101,16 @@ pub(super) fn solid(scenario: &Scenario, placed: &[Placed]) -> Option<String> {
         return None;
     }
     let start = Start::of(scenario, placed);
-    let mach = start.speed / start.sound_speed;
+    let speed = start.speed.max(start.driven);
+    let mach = speed / start.sound_speed;
     // Where particles stay beside their neighbours nothing melts.
-    let passes = start.speed * scenario.time.end > start.spacing;
+    let passes = speed * scenario.time.end > start.spacing;
     if !(mach < SLOW && passes) {
         return None;
     }
     let mut cures = Vec::new();
     let [lowest, mean] = start.pressures;
-    let felt = FELT * start.density * start.speed * start.speed;
+    let felt = FELT * start.density * speed * speed;
     let is_closed = |side: &Side| matches!(side, Side::Periodic | Side::Mirror);
     let sides = || scenario.domain.sides.iter().flatten();
     if mean - scenario.background > felt && sides().all(is_closed) {
@@ -86,6 +120,10 @@ pub(super) fn solid(scenario: &Scenario, placed: &[Placed]) -> Option<String> {
         let background = libm::floor(lowest / step) * step;
         let places = (-digits).max(0.0) as usize;
         cures.push(format!("force.background = {background:.places$}"));
+    }
+    // Rows that walls shear stay rows, unless pressure makes a solid of them.
+    if cures.is_empty() && start.driven > start.speed {
+        return None;
     }
     let cut_off = &scenario.cut_off;
     let fineness = fineness(placed.len(), scenario.dimension);
@@ -183,6 +221,30 @@ mod tests {
         let viscous = "diffusion.viscosity=0.01";
         assert!(!told("gresho", &[viscous]));
         assert!(told("gresho", &[viscous, "profile.mach=0.1"]));
+    }
+
+    /// Couette's flow of a gas under a pressure of `ρ c²/2`, and Poiseuille's, lose their shape to it; without
+    /// pressure, or without a wall that moves, nothing does.
+    #[test]
+    fn gas_under_pressure_that_walls_drive_is_told() {
+        let under_pressure = "material.density=0.5";
+        for name in ["couette", "poiseuille"] {
+            let solid = told(name, &[under_pressure]);
+            assert!(
+                solid.contains("use force.background = 50"),
+                "{name}: {solid}"
+            );
+            assert_eq!(told(name, &[]), "", "{name}");
+        }
+        let still = [under_pressure, "wall.1.velocity=[0.0, 0.0]"];
+        assert_eq!(told("couette", &still), "");
+        assert_eq!(
+            told(
+                "poiseuille",
+                &[under_pressure, "force.acceleration=[0.0, 0.0]"]
+            ),
+            ""
+        );
     }
 
     #[test]

@@ -131,11 +131,19 @@ impl<'a> Section<'a> {
             [] => "nothing".to_owned(),
             own => own.join(", "),
         };
+        // `--set` changes keys one by one, and takes none out; but it can replace them all.
+        let whole = match common.first() {
+            Some(&"kind") if !self.path.contains('.') => format!(
+                "; --set '{path}={{ kind = \"{kind}\", ... }}' replaces the keys of [{path}]",
+                path = self.path
+            ),
+            _ => String::new(),
+        };
         let problem = Problem::DoesNotFit {
             key: keys::path(&self.path, name),
             value: shown(value.get_ref()),
             reason: format!("{kind} has no {name}"),
-            cure: format!("take `{name}` out: {kind} takes {takes}"),
+            cure: format!("take `{name}` out: {kind} takes {takes}{whole}"),
         };
         Err(Fault::new(problem, key.span()))
     }

@@ -272,10 +272,31 @@ fn a_file_of_particles_needs_no_initial_state() {
 }
 
 #[test]
+fn set_replaces_the_keys_of_a_section() {
+    let refused = built_in_linear(
+        "acoustics1d",
+        &["motion.kind=uniform", "motion.velocity=[0.5]"],
+    )
+    .unwrap_err();
+    let whole = r#"--set 'motion={ kind = "uniform", ... }' replaces the keys of [motion]"#;
+    assert_report_holds(&refused, &["uniform has no amplitude", whole]);
+    let replaced = built_in_linear(
+        "acoustics1d",
+        &[r#"motion={ kind = "uniform", velocity = [0.5] }"#],
+    )
+    .unwrap();
+    let velocity = vec![0.5];
+    assert_eq!(replaced.motion, Field::Uniform { velocity });
+    assert_eq!(
+        replaced.name, "acoustics1d",
+        "what stands above the sections stays"
+    );
+}
+
+#[test]
 fn set_reaches_every_section_of_a_linear_system() {
-    // A section is set key by key.
-    let whole = built_in_linear("acoustics1d", &["initial={ kind = 'exp-sine' }"]).unwrap_err();
-    assert_report_holds(&whole, &["names a section", "--set initial.kind=..."]);
+    let word = built_in_linear("acoustics1d", &["initial=exp-sine"]).unwrap_err();
+    assert_report_holds(&word, &["names a section", "--set initial.kind=..."]);
     let scenario = built_in_linear(
         "acoustics1d",
         &[

@@ -17,14 +17,18 @@ pub(super) struct Frame<'a> {
 ///
 /// # Errors
 /// [`RunError::Coincident`].
-pub(super) fn check_apart<S: Scalar, const D: usize>(
-    positions: &[[S; D]],
+pub(super) fn check_apart<'a, S: Scalar>(
+    positions: impl Iterator<Item = &'a [S]>,
     frame: &Frame<'_>,
     scalar: &str,
 ) -> Result<(), RunError> {
-    let spread = |x: &[S; D]| std::array::from_fn(|i| x.get(i).map_or(0.0, |x| x.to_f64()));
-    let positions: Vec<[f64; 3]> = positions.iter().map(spread).collect();
-    let along = |i: usize| frame.axes.get(i).filter(|_| i < D);
+    let mut dimension = 0;
+    let spread = |x: &[S]| {
+        dimension = x.len();
+        std::array::from_fn(|i| x.get(i).map_or(0.0, |x| x.to_f64()))
+    };
+    let positions: Vec<[f64; 3]> = positions.map(spread).collect();
+    let along = |i: usize| frame.axes.get(i).filter(|_| i < dimension);
     let mut room = Room {
         lower: std::array::from_fn(|i| along(i).map_or(0.0, |axis| axis.lower)),
         lengths: std::array::from_fn(|i| along(i).map_or(0.0, |axis| axis.upper - axis.lower)),

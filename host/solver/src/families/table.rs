@@ -1,16 +1,14 @@
 //! The table of everything that can be run: family, system, dimension and components, in a scalar.
 
-use std::sync::Arc;
-
 use motes_core::equation::linear::FirstOrderSystem;
 
 use super::diffusion::Diffusion;
 use super::linear::FirstOrder;
-use super::strengths::Plan as Cloud;
+use super::strengths::Maker;
 use super::{Plan, gas, strengths};
 use crate::engine::{HostScalar, Threads};
 use crate::run::{RunError, Simulation};
-use crate::scenario::linear::{ConvectionDiffusion, System};
+use crate::scenario::linear::System;
 
 /// A simulation at its start; `scalar` is the name of the scalar, for messages.
 ///
@@ -32,81 +30,50 @@ pub fn start<S: HostScalar>(
         Plan::Strengths(plan) => *plan,
     };
     let (dimension, components) = (plan.dimension, plan.names.len());
-    let call = Call {
-        plan,
-        scalar,
-        engine,
-    };
-    match (call.plan.system.clone(), dimension, components) {
-        (System::Transport { .. }, 1, _) => call.system::<S, _, 1, 1>(Cloud::transport),
-        (System::Transport { .. }, 2, _) => call.system::<S, _, 2, 1>(Cloud::transport),
-        (System::Transport { .. }, ..) => call.system::<S, _, 3, 1>(Cloud::transport),
-        (System::Acoustics { .. }, 1, _) => call.system::<S, _, 1, 2>(Cloud::acoustics),
-        (System::Acoustics { .. }, 2, _) => call.system::<S, _, 2, 3>(Cloud::acoustics),
-        (System::Acoustics { .. }, ..) => call.system::<S, _, 3, 4>(Cloud::acoustics),
-        (System::Telegraph { .. }, ..) => call.system::<S, _, 1, 2>(Cloud::telegraph),
-        (System::ShallowWater { .. }, ..) => call.system::<S, _, 2, 3>(Cloud::shallow_water),
-        (System::MaxwellTe { .. }, ..) => call.system::<S, _, 2, 3>(Cloud::maxwell),
-        (System::ElasticWaves { .. }, ..) => call.system::<S, _, 2, 5>(Cloud::elastic_waves),
-        (System::LinearisedGas { .. }, 1, _) => call.system::<S, _, 1, 3>(Cloud::linearised_gas),
-        (System::LinearisedGas { .. }, 2, _) => call.system::<S, _, 2, 4>(Cloud::linearised_gas),
-        (System::LinearisedGas { .. }, ..) => call.system::<S, _, 3, 5>(Cloud::linearised_gas),
+    let maker = match (&plan.system, dimension, components) {
+        (System::Transport { .. }, 1, _) => first_order::<S, _, 1, 1>(plan.transport()),
+        (System::Transport { .. }, 2, _) => first_order::<S, _, 2, 1>(plan.transport()),
+        (System::Transport { .. }, ..) => first_order::<S, _, 3, 1>(plan.transport()),
+        (System::Acoustics { .. }, 1, _) => first_order::<S, _, 1, 2>(plan.acoustics()),
+        (System::Acoustics { .. }, 2, _) => first_order::<S, _, 2, 3>(plan.acoustics()),
+        (System::Acoustics { .. }, ..) => first_order::<S, _, 3, 4>(plan.acoustics()),
+        (System::Telegraph { .. }, ..) => first_order::<S, _, 1, 2>(plan.telegraph()),
+        (System::ShallowWater { .. }, ..) => first_order::<S, _, 2, 3>(plan.shallow_water()),
+        (System::MaxwellTe { .. }, ..) => first_order::<S, _, 2, 3>(plan.maxwell()),
+        (System::ElasticWaves { .. }, ..) => first_order::<S, _, 2, 5>(plan.elastic_waves()),
+        (System::LinearisedGas { .. }, 1, _) => first_order::<S, _, 1, 3>(plan.linearised_gas()),
+        (System::LinearisedGas { .. }, 2, _) => first_order::<S, _, 2, 4>(plan.linearised_gas()),
+        (System::LinearisedGas { .. }, ..) => first_order::<S, _, 3, 5>(plan.linearised_gas()),
         // Of a system given by its matrices: the least that hold its components.
-        (System::Matrices { .. }, 1, 0..=2) => call.system::<S, _, 1, 2>(Cloud::matrices),
-        (System::Matrices { .. }, 1, 3..=4) => call.system::<S, _, 1, 4>(Cloud::matrices),
-        (System::Matrices { .. }, 1, _) => call.system::<S, _, 1, 8>(Cloud::matrices),
-        (System::Matrices { .. }, 2, 0..=2) => call.system::<S, _, 2, 2>(Cloud::matrices),
-        (System::Matrices { .. }, 2, 3..=4) => call.system::<S, _, 2, 4>(Cloud::matrices),
-        (System::Matrices { .. }, 2, _) => call.system::<S, _, 2, 8>(Cloud::matrices),
-        (System::Matrices { .. }, _, 0..=2) => call.system::<S, _, 3, 2>(Cloud::matrices),
-        (System::Matrices { .. }, _, 3..=4) => call.system::<S, _, 3, 4>(Cloud::matrices),
-        (System::Matrices { .. }, ..) => call.system::<S, _, 3, 8>(Cloud::matrices),
-        (System::ConvectionDiffusion(of), 1, 1) => call.diffusion::<S, 1, 1>(&of),
-        (System::ConvectionDiffusion(of), 1, _) => call.diffusion::<S, 1, 4>(&of),
-        (System::ConvectionDiffusion(of), 2, 1) => call.diffusion::<S, 2, 1>(&of),
-        (System::ConvectionDiffusion(of), 2, 2) => call.diffusion::<S, 2, 2>(&of),
-        (System::ConvectionDiffusion(of), 2, _) => call.diffusion::<S, 2, 4>(&of),
-        (System::ConvectionDiffusion(of), _, 1) => call.diffusion::<S, 3, 1>(&of),
-        (System::ConvectionDiffusion(of), ..) => call.diffusion::<S, 3, 4>(&of),
-    }
+        (System::Matrices { .. }, 1, 0..=2) => first_order::<S, _, 1, 2>(plan.matrices()),
+        (System::Matrices { .. }, 1, 3..=4) => first_order::<S, _, 1, 4>(plan.matrices()),
+        (System::Matrices { .. }, 1, _) => first_order::<S, _, 1, 8>(plan.matrices()),
+        (System::Matrices { .. }, 2, 0..=2) => first_order::<S, _, 2, 2>(plan.matrices()),
+        (System::Matrices { .. }, 2, 3..=4) => first_order::<S, _, 2, 4>(plan.matrices()),
+        (System::Matrices { .. }, 2, _) => first_order::<S, _, 2, 8>(plan.matrices()),
+        (System::Matrices { .. }, _, 0..=2) => first_order::<S, _, 3, 2>(plan.matrices()),
+        (System::Matrices { .. }, _, 3..=4) => first_order::<S, _, 3, 4>(plan.matrices()),
+        (System::Matrices { .. }, ..) => first_order::<S, _, 3, 8>(plan.matrices()),
+        (System::ConvectionDiffusion(of), 1, 1) => Diffusion::<S, 1, 1>::maker(of),
+        (System::ConvectionDiffusion(of), 1, _) => Diffusion::<S, 1, 4>::maker(of),
+        (System::ConvectionDiffusion(of), 2, 1) => Diffusion::<S, 2, 1>::maker(of),
+        (System::ConvectionDiffusion(of), 2, 2) => Diffusion::<S, 2, 2>::maker(of),
+        (System::ConvectionDiffusion(of), 2, _) => Diffusion::<S, 2, 4>::maker(of),
+        (System::ConvectionDiffusion(of), _, 1) => Diffusion::<S, 3, 1>::maker(of),
+        (System::ConvectionDiffusion(of), ..) => Diffusion::<S, 3, 4>::maker(of),
+    };
+    strengths::start(plan, maker, scalar, engine)
 }
 
-/// A simulation of strengths with everything but its types chosen.
-struct Call<'a> {
-    plan: Cloud,
-    scalar: &'a str,
-    engine: &'a mut Threads,
-}
-
-impl Call<'_> {
-    /// A first-order system.
-    fn system<S, F, const D: usize, const P: usize>(
-        self,
-        system: impl Fn(&Cloud) -> Option<F>,
-    ) -> Result<Box<dyn Simulation>, RunError>
-    where
-        S: HostScalar,
-        F: FirstOrderSystem<S, D, P> + Send + 'static,
-        F::Medium: Send,
-    {
-        let Some(system) = system(&self.plan) else {
-            unreachable!("the table above asks a plan for its own system");
-        };
-        let solver = |plan: &Arc<Cloud>| FirstOrder::new(plan, system);
-        strengths::start::<S, FirstOrder<S, F, D, P>, D, P>(
-            self.plan,
-            solver,
-            self.scalar,
-            self.engine,
-        )
-    }
-
-    /// Convection-diffusion.
-    fn diffusion<S: HostScalar, const D: usize, const P: usize>(
-        self,
-        of: &ConvectionDiffusion,
-    ) -> Result<Box<dyn Simulation>, RunError> {
-        let solver = |plan: &Arc<Cloud>| Diffusion::new(plan, of);
-        strengths::start::<S, Diffusion<S>, D, P>(self.plan, solver, self.scalar, self.engine)
+/// Makes the solver of a first-order system, which the table above asks a plan of that system for.
+fn first_order<S, F, const D: usize, const P: usize>(system: Option<F>) -> Maker<S>
+where
+    S: HostScalar,
+    F: FirstOrderSystem<S, D, P> + Send + 'static,
+    F::Medium: Send,
+{
+    match system {
+        Some(system) => FirstOrder::<S, F, D, P>::maker(system),
+        None => unreachable!("the table asks a plan for its own system"),
     }
 }

@@ -33,7 +33,7 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionArrays<S, D, P> {
     /// A cloud of these particles, with memory for both forms where `is_mixed`.
     pub fn new(particles: impl IntoIterator<Item = Particle<S, D, P>>, is_mixed: bool) -> Self {
         let cloud = CloudArrays::new(particles);
-        let n = cloud.weight.len();
+        let n = cloud.len();
         let both = if is_mixed { n } else { 0 };
         Self {
             cloud,

@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use motes_core::cutoff::Named;
+use motes_core::digest::Digest;
 use motes_core::equation::diffusion::{
-    DiffusionDynamics, DiffusionProblem, DrivenCondition, Form, Ledger, NamedProblem, Reaction,
+    DiffusionDynamics, DiffusionProblem, DrivenCondition, Form, NamedProblem, Reaction,
 };
-use motes_core::equation::linear::{NamedField, Particle, Place, State, VelocityField};
+use motes_core::equation::linear::{NamedField, State, VelocityField};
 use motes_core::error::Error;
 use motes_core::integrator::{MOST_STAGES, Rkl2, RungeKutta};
 use motes_core::scalar::Scalar;
@@ -14,7 +15,7 @@ use motes_core::scalar::Scalar;
 use super::memory::DiffusionArrays;
 use super::problem::{Media, form};
 use crate::engine::{HostScalar, Threads};
-use crate::families::strengths::{CloudArrays, Plan, Solver};
+use crate::families::strengths::{CloudView, Maker, Plan, Solver, Source, row};
 use crate::scenario::linear::{ConvectionDiffusion, Method};
 
 /// How its steps are made.
@@ -27,9 +28,15 @@ enum Stepping {
     Stabilised(u32),
 }
 
-/// A convection-diffusion problem (4.1) and how it is stepped. The problem refers to its lists, so
-/// it is made anew from them for each call.
-pub(in crate::families) struct Diffusion<S> {
+/// A convection-diffusion problem (4.1) on its particles.
+pub(in crate::families) struct Diffusion<S: Scalar, const D: usize, const P: usize> {
+    planned: Planned<S>,
+    memory: DiffusionArrays<S, D, P>,
+}
+
+/// The problem and how it is stepped. The problem refers to its lists, so it is made anew from them
+/// for each call.
+struct Planned<S> {
     plan: Arc<Plan>,
     problem: ConvectionDiffusion,
     media: Media<S>,
@@ -53,9 +60,9 @@ impl Plan {
     }
 }
 
-impl<S: Scalar> Diffusion<S> {
-    /// The solver of a plan of that problem.
-    pub fn new(plan: &Arc<Plan>, problem: &ConvectionDiffusion) -> Self {
+impl<S: Scalar> Planned<S> {
+    /// That of a plan with that problem.
+    fn new(plan: &Arc<Plan>, problem: &ConvectionDiffusion) -> Self {
         Self {
             plan: Arc::clone(plan),
             problem: problem.clone(),
@@ -98,55 +105,67 @@ fn is_driven<S: Scalar, const D: usize, const P: usize>(dynamics: &Dynamics<'_, 
     walls.any(|wall| *wall != DrivenCondition::NoFlux)
 }
 
-impl<S: HostScalar, const D: usize, const P: usize> Solver<S, D, P> for Diffusion<S> {
-    type Memory = DiffusionArrays<S, D, P>;
-    const BYTES: usize = DiffusionArrays::<S, D, P>::BYTES;
+impl<S: HostScalar, const D: usize, const P: usize> Diffusion<S, D, P> {
+    /// Makes the solver of a plan with that problem.
+    pub fn maker(problem: &ConvectionDiffusion) -> Maker<S> {
+        let problem = problem.clone();
+        Maker {
+            bytes: DiffusionArrays::<S, D, P>::BYTES,
+            make: Box::new(move |plan: &Arc<Plan>, particles| {
+                let is_mixed = form(&problem).0 == Form::Mixed;
+                Box::new(Self {
+                    planned: Planned::new(plan, &problem),
+                    memory: DiffusionArrays::new(particles.rows(), is_mixed),
+                })
+            }),
+        }
+    }
+}
 
-    fn memory(&self, particles: impl Iterator<Item = Particle<S, D, P>>) -> Self::Memory {
-        DiffusionArrays::new(particles, form(&self.problem).0 == Form::Mixed)
+impl<S: HostScalar, const D: usize, const P: usize> Solver<S> for Diffusion<S, D, P> {
+    fn cloud(&self) -> CloudView<'_, S> {
+        self.memory.cloud.view()
     }
-    fn cloud(memory: &Self::Memory) -> &CloudArrays<S, D, P> {
-        &memory.cloud
+    fn digest(&mut self) -> Digest {
+        self.memory.cloud.parts().0.digest()
     }
-    fn cloud_mut(memory: &mut Self::Memory) -> &mut CloudArrays<S, D, P> {
-        &mut memory.cloud
+    fn digest_unordered(&mut self) -> Digest {
+        self.memory.cloud.parts().0.digest_unordered()
     }
-    fn ledger(memory: &Self::Memory) -> Option<&Ledger<S, D, P>> {
-        Some(&memory.ledger)
-    }
-
-    fn prepare(&self, engine: &mut Threads, memory: &mut Self::Memory) -> Result<(), Error> {
-        let (mut state, mut work) = memory.parts();
-        self.dynamics().prepare(engine, &mut state, &mut work)
+    fn intake(&self, source: Source) -> Option<f64> {
+        Some(source.total(&self.memory.ledger))
     }
 
-    fn stable_step(&self, memory: &mut Self::Memory, _: S) -> Result<Option<S>, Error> {
-        let (state, work) = memory.parts();
-        let radius = self.dynamics().radius(&state, &work)?;
-        Ok((radius > S::ZERO).then(|| self.reach(MOST_STAGES) / radius))
+    fn prepare(&mut self, engine: &mut Threads) -> Result<(), Error> {
+        let (mut state, mut work) = self.memory.parts();
+        let dynamics = self.planned.dynamics();
+        dynamics.prepare(engine, &mut state, &mut work)
     }
 
-    fn time_step(&self, memory: &mut Self::Memory, _: S, longest: S) -> Result<S, Error> {
-        let stages = match self.stepping {
+    fn stable_step(&mut self, _: S) -> Result<Option<S>, Error> {
+        let (state, work) = self.memory.parts();
+        let radius = self.planned.dynamics().radius(&state, &work)?;
+        Ok((radius > S::ZERO).then(|| self.planned.reach(MOST_STAGES) / radius))
+    }
+
+    fn time_step(&mut self, _: S, longest: S) -> Result<S, Error> {
+        let planned = &self.planned;
+        let stages = match planned.stepping {
             Stepping::Stabilised(stages) => stages,
             Stepping::RungeKutta(_) => 0,
         };
-        let (dynamics, longest) = (self.dynamics(), Scalar::lesser(longest, self.longest));
-        let (state, work) = memory.parts();
+        let dynamics = planned.dynamics();
+        let longest = Scalar::lesser(longest, planned.longest);
+        let (state, work) = self.memory.parts();
         let radius = dynamics.radius(&state, &work)?;
-        dynamics.time_step(radius, self.reach(stages), longest)
+        dynamics.time_step(radius, planned.reach(stages), longest)
     }
 
-    fn advance(
-        &self,
-        engine: &mut Threads,
-        memory: &mut Self::Memory,
-        (time, dt): (S, S),
-    ) -> Result<u32, Error> {
-        let dynamics = self.dynamics();
-        let (mut state, mut work) = memory.parts();
+    fn advance(&mut self, engine: &mut Threads, (time, dt): (S, S)) -> Result<u32, Error> {
+        let dynamics = self.planned.dynamics();
+        let (mut state, mut work) = self.memory.parts();
         let (state, work) = (&mut state, &mut work);
-        match self.stepping {
+        match self.planned.stepping {
             Stepping::RungeKutta(method) => {
                 dynamics.advance(&method, engine, state, work, (time, dt))?;
                 Ok(method.sides())
@@ -161,32 +180,31 @@ impl<S: HostScalar, const D: usize, const P: usize> Solver<S, D, P> for Diffusio
         }
     }
 
-    fn reconstruct(
-        &self,
-        memory: &mut Self::Memory,
-        time: S,
-        points: &[[S; D]],
-        values: &mut [[S; P]],
-    ) -> Result<(), Error> {
-        let (state, mut work) = memory.parts();
-        let dynamics = self.dynamics();
-        dynamics.reconstruct(&state, &mut work, time, (points, values))
+    fn reconstruct(&mut self, time: S, points: Option<&[[S; 3]]>) -> Result<Vec<S>, Error> {
+        let points = self.memory.cloud.points(points);
+        let mut values = vec![[S::ZERO; P]; points.len()];
+        let (state, mut work) = self.memory.parts();
+        let dynamics = self.planned.dynamics();
+        dynamics.reconstruct(&state, &mut work, time, (&points, &mut values))?;
+        Ok(values.into_flattened())
     }
 
-    fn energy_density(&self, _: &Place<S, D>, u: &[S; P]) -> S {
-        S::dot(u, u)
+    fn energy_density(&self, _: &[S], _: S, u: &[S]) -> S {
+        S::dot::<P>(&row(u), &row(u))
     }
 
-    fn source(&self, _: &Place<S, D>) -> [S; P] {
-        match self.plan.reaction(&self.problem.reaction) {
-            Reaction::Linear { source, .. } => source,
-            _ => [S::ZERO; P],
+    fn source(&self, _: &[S], _: S, rates: &mut [S]) {
+        let planned = &self.planned;
+        let reaction = planned.plan.reaction::<S, P>(&planned.problem.reaction);
+        match reaction {
+            Reaction::Linear { source, .. } => rates.copy_from_slice(&source),
+            _ => rates.fill(S::ZERO),
         }
     }
 
     /// Diffusion by itself takes from the norm; the flow may squeeze it, a reaction feed it.
     fn growth(&self) -> Option<f64> {
-        let dynamics = self.dynamics::<D, P>();
+        let dynamics = self.planned.dynamics::<D, P>();
         let problem = &dynamics.problem;
         // Of pairs along which a tensor counts below 0, diffusion may give to the norm.
         if is_driven(&dynamics) || problem.tensor.is_some() && dynamics.form == Form::Direct {
@@ -203,7 +221,7 @@ impl<S: HostScalar, const D: usize, const P: usize> Solver<S, D, P> for Diffusio
     }
 
     fn order(&self) -> u32 {
-        match self.stepping {
+        match self.planned.stepping {
             Stepping::RungeKutta(method) => method.order,
             Stepping::Stabilised(_) => 2,
         }
@@ -212,17 +230,12 @@ impl<S: HostScalar, const D: usize, const P: usize> Solver<S, D, P> for Diffusio
     /// Of the mixed form: waves of two spacings, which its centred sums do not see and the direct form
     /// damps the fastest. Where the rates of the two forms differ by `Λ` of the direct one,
     /// there is nothing but such waves.
-    fn undamped(
-        &self,
-        engine: &mut Threads,
-        memory: &mut Self::Memory,
-        time: S,
-    ) -> Result<f64, Error> {
-        let dynamics = self.dynamics();
+    fn undamped(&mut self, engine: &mut Threads, time: S) -> Result<f64, Error> {
+        let dynamics = self.planned.dynamics();
         if dynamics.form == Form::Direct {
             return Ok(0.0);
         }
-        let (mut state, mut work) = memory.parts();
+        let (mut state, mut work) = self.memory.parts();
         let (state, work) = (&mut state, &mut work);
         dynamics.rates(engine, state, work, time)?;
         let mixed: Vec<[S; P]> = work.last.iter().map(|rates| rates.strength).collect();

@@ -137,7 +137,11 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> GasSimulation<S, P,
             middle: plan.middle,
             length: plan.units.length,
         };
-        check_apart(&self.memory.position, &frame, scalar)
+        check_apart(
+            self.memory.position.iter().map(<[S; D]>::as_slice),
+            &frame,
+            scalar,
+        )
     }
 
     fn prepare(&mut self, engine: &mut Threads) -> Result<(), RunError> {

@@ -23,7 +23,7 @@ impl<S: Scalar, M: Fields<S>, const D: usize, const P: usize> LinearArrays<S, M,
     /// A cloud of these particles; ids are places.
     pub fn new(particles: impl IntoIterator<Item = Particle<S, D, P>>) -> Self {
         let cloud = CloudArrays::new(particles);
-        let n = cloud.weight.len();
+        let n = cloud.len();
         let sum = Settled::new(SystemNode::ZERO, SystemSums::ZERO);
         Self {
             cloud,

@@ -10,7 +10,7 @@ use crate::scenario::linear::{Reaction, System};
 
 /// Something that a component comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Source {
+pub(in crate::families) struct Source {
     /// A wall, by direction and end; `None` for reactions.
     wall: Option<(usize, usize)>,
     component: usize,

@@ -4,13 +4,15 @@ use motes_core::equation::linear::{Particle, Register, Start, State};
 use motes_core::neighbours::{CellBuffers, Grid, Site, cell_bound};
 use motes_core::scalar::Scalar;
 
+use super::solver::{CloudView, row};
+
 /// What every solver needs: the state, the search for neighbours, the registers of a step.
 pub(in crate::families) struct CloudArrays<S: Scalar, const D: usize, const P: usize> {
-    pub position: Vec<[S; D]>,
-    pub weight: Vec<S>,
-    pub value: Vec<[S; P]>,
-    pub strength: Vec<[S::Wide; P]>,
-    pub neighbours: Vec<S>,
+    position: Vec<[S; D]>,
+    weight: Vec<S>,
+    value: Vec<[S; P]>,
+    strength: Vec<[S::Wide; P]>,
+    neighbours: Vec<S>,
     sites: Vec<Site<S, D>>,
     order: Vec<u32>,
     cell_of: Vec<u32>,
@@ -38,6 +40,11 @@ impl<S: Scalar, const D: usize, const P: usize> CloudArrays<S, D, P> {
         + size_of::<u32>() * (6 + 16)
         + size_of::<Start<S, D, P>>()
         + size_of::<Register<S, D, P>>() * 2;
+
+    /// How many particles there are.
+    pub fn len(&self) -> usize {
+        self.weight.len()
+    }
 
     /// A cloud of these particles; ids are places.
     pub fn new(particles: impl IntoIterator<Item = Particle<S, D, P>>) -> Self {
@@ -76,6 +83,27 @@ impl<S: Scalar, const D: usize, const P: usize> CloudArrays<S, D, P> {
                 time: S::ZERO,
             },
         }
+    }
+
+    /// What there is to see.
+    pub fn view(&self) -> CloudView<'_, S> {
+        CloudView {
+            dimension: D,
+            components: P,
+            position: self.position.as_flattened(),
+            weight: &self.weight,
+            value: self.value.as_flattened(),
+            strength: self.strength.as_flattened(),
+            neighbours: &self.neighbours,
+        }
+    }
+
+    /// Some points in the dimension of the cloud; the particles' without any.
+    pub fn points(&self, points: Option<&[[S; 3]]>) -> Vec<[S; D]> {
+        let Some(points) = points else {
+            return self.position.clone();
+        };
+        points.iter().map(|x| row(x)).collect()
     }
 
     /// The state, and what is worked in.

@@ -15,6 +15,7 @@ use super::budget::Budget;
 use super::doubts::doubts;
 use super::field::PlannedField;
 use super::layers;
+use super::particles::{Particles, particle};
 use super::quadrature::Quadrature;
 use crate::exact::linear::error::SolutionError;
 use crate::exact::solution::Solution;
@@ -214,17 +215,14 @@ impl Plan {
         }
     }
 
-    /// The same; the plan has none then.
-    pub(in crate::families) fn take_particles<S: Scalar, const D: usize, const P: usize>(
-        &mut self,
-    ) -> impl Iterator<Item = Particle<S, D, P>> + use<S, D, P> {
-        let components = self.names.len();
-        let values = std::mem::take(&mut self.values);
-        let positions = std::mem::take(&mut self.positions).into_iter();
-        let places = positions.zip(std::mem::take(&mut self.weights));
-        places.enumerate().map(move |(id, (x, w))| {
-            particle(x, w, &values[id * components..(id + 1) * components])
-        })
+    /// The particles; the plan has none then.
+    pub(super) fn take_particles(&mut self) -> Particles {
+        Particles {
+            positions: std::mem::take(&mut self.positions),
+            weights: std::mem::take(&mut self.weights),
+            values: std::mem::take(&mut self.values),
+            components: self.names.len(),
+        }
     }
 
     /// The particles, in the scalar and dimension of the run, with zeros for components beyond
@@ -254,19 +252,6 @@ impl Plan {
             numbers.push(("the length of the domain", axis.upper - axis.lower));
         }
         check_numbers::<S>(&numbers, scalar)
-    }
-}
-
-/// A particle, in the scalar and dimension of the run.
-fn particle<S: Scalar, const D: usize, const P: usize>(
-    x: [f64; 3],
-    w: f64,
-    u: &[f64],
-) -> Particle<S, D, P> {
-    Particle {
-        position: std::array::from_fn(|i| S::from_f64(x[i])),
-        weight: S::from_f64(w),
-        value: std::array::from_fn(|i| u.get(i).map_or(S::ZERO, |&u| S::from_f64(u))),
     }
 }
 

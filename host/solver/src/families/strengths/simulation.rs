@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use motes_core::digest::Digest;
-use motes_core::equation::linear::Place;
 use motes_core::error::Error;
 use motes_core::integrator::Clock;
 use motes_core::scalar::Scalar;
@@ -13,10 +12,9 @@ use super::description::description;
 use super::digits::{few_digits, short_steps};
 use super::doubts::{thin, undamped};
 use super::growth::Monitor;
-use super::memory::CloudArrays;
 use super::plan::Plan;
 use super::principle::beyond;
-use super::solver::Solver;
+use super::solver::{Maker, Solver};
 use crate::engine::{Holder, HostScalar, Threads};
 use crate::families::apart::{Frame, check_apart};
 use crate::run::{
@@ -26,13 +24,11 @@ use crate::run::{
 use crate::scenario::linear::System;
 use crate::sums::compensated;
 
-/// A cloud in the memory of a server. `P` may exceed the components of the plan: those beyond
-/// stay 0.
-struct Strengths<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usize> {
+/// A cloud in the memory of a server, and its solver.
+struct Strengths<S: HostScalar> {
     /// Without its particles.
     plan: Arc<Plan>,
-    solver: V,
-    memory: V::Memory,
+    solver: Box<dyn Solver<S>>,
     clock: Clock<S>,
     stops: Stops<S>,
     /// The step that is asked for.
@@ -46,31 +42,25 @@ struct Strengths<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usi
 ///
 /// # Errors
 /// Numbers that the scalar cannot hold, too little memory, and what the solver finds.
-pub(in crate::families) fn start<S, V, const D: usize, const P: usize>(
+pub(in crate::families) fn start<S: HostScalar>(
     mut plan: Plan,
-    solver: impl FnOnce(&Arc<Plan>) -> V,
+    maker: Maker<S>,
     scalar: &str,
     engine: &mut Threads,
-) -> Result<Box<dyn Simulation>, RunError>
-where
-    S: HostScalar,
-    V: Solver<S, D, P> + 'static,
-{
-    check_memory(plan.weights.len(), V::BYTES)?;
+) -> Result<Box<dyn Simulation>, RunError> {
+    check_memory(plan.weights.len(), maker.bytes)?;
     plan.check_format::<S>(scalar)?;
     let description = description(&plan);
     let particles = plan.take_particles();
     let plan = Arc::new(plan);
-    let solver = solver(&plan);
     let mut simulation = Strengths {
-        memory: solver.memory(particles),
+        solver: (maker.make)(&plan, particles),
         clock: Clock::new(S::from_f64(plan.end)),
         stops: Stops::none(),
         given: plan.step.map(S::from_f64),
         monitor: Monitor::new(None, 0, 0.0, 0.0),
         holder: Holder::new(),
         plan,
-        solver,
         description,
     };
     let frame = Frame {
@@ -78,22 +68,16 @@ where
         middle: simulation.plan.middle,
         length: simulation.plan.units.length,
     };
-    check_apart(&simulation.cloud().position, &frame, scalar)?;
+    check_apart(simulation.solver.cloud().positions(), &frame, scalar)?;
     simulation.prepare(engine).map_err(RunError::at_start)?;
     Ok(Box::new(simulation))
 }
 
-impl<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usize> Strengths<S, V, D, P> {
-    fn cloud(&self) -> &CloudArrays<S, D, P> {
-        V::cloud(&self.memory)
-    }
-
+impl<S: HostScalar> Strengths<S> {
     fn prepare(&mut self, engine: &mut Threads) -> Result<(), RunError> {
         engine.serve(&self.holder);
         let failed = self.failed();
-        self.solver
-            .prepare(engine, &mut self.memory)
-            .map_err(failed)?;
+        self.solver.prepare(engine).map_err(failed)?;
         let rate = self.solver.growth();
         let rate = rate.map(|rate| rate / self.plan.unit_of_time());
         let (order, margin) = (self.solver.order(), self.plan.growth_margin);
@@ -106,14 +90,11 @@ impl<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usize> Strength
         let time = self.clock.time;
         let Some(step) = self.given else {
             let failed = self.failed();
-            return self
-                .solver
-                .time_step(&mut self.memory, time, left)
-                .map_err(failed);
+            return self.solver.time_step(time, left).map_err(failed);
         };
         let unit = self.plan.unit_of_time();
         let failed = self.failed();
-        let stable = self.solver.stable_step(&mut self.memory, time);
+        let stable = self.solver.stable_step(time);
         match stable.map_err(failed)? {
             Some(limit) if !(step <= limit) => Err(RunError::Step {
                 step: step.to_f64() * unit,
@@ -125,7 +106,7 @@ impl<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usize> Strength
     }
 
     /// What an error of the solver is from here.
-    fn failed(&self) -> impl Fn(Error) -> RunError + Copy + use<S, V, D, P> {
+    fn failed(&self) -> impl Fn(Error) -> RunError + Copy + use<S> {
         let (time, step) = (self.time(), self.clock.steps);
         let (spacings, epsilon) = (self.plan.epsilon, self.plan.width());
         move |error| {
@@ -149,31 +130,35 @@ impl<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usize> Strength
 
     fn count(&mut self, engine: &mut Threads) -> Result<(), RunError> {
         let failed = self.failed();
-        let counted = self
-            .solver
-            .count_neighbours(engine, &mut self.memory, self.clock.time);
+        let counted = self.solver.count_neighbours(engine, self.clock.time);
         counted.map_err(failed)
     }
 
     /// `(Σ w u·Pu)^(1/2)`, weights in the scenario's units.
     fn norm(&self) -> f64 {
-        self.norm_of(|_, u| *u)
+        self.norm_of(|_, u, of| of.copy_from_slice(u))
     }
 
     /// The same of the source, per time of the scenario's units.
     fn source_norm(&self) -> f64 {
-        self.norm_of(|place, _| self.solver.source(place)) / self.plan.unit_of_time()
+        let time = self.clock.time;
+        self.norm_of(|x, _, of| self.solver.source(x, time, of)) / self.plan.unit_of_time()
     }
 
-    fn norm_of(&self, of: impl Fn(&Place<S, D>, &[S; P]) -> [S; P]) -> f64 {
-        let (cloud, time) = (self.cloud(), self.clock.time);
+    /// The norm of what `of` makes of a place and its state.
+    fn norm_of(&self, of: impl Fn(&[S], &[S], &mut [S])) -> f64 {
+        let cloud = self.solver.cloud();
         // Values of size 1 have squares in every format.
         let size = self.plan.amplitude;
-        let rows = cloud.position.iter().zip(&cloud.weight).zip(&cloud.value);
-        let terms = rows.map(|((&position, w), u)| {
-            let place = Place { position, time };
-            let u = of(&place, u).map(|u| S::from_f64(u.to_f64() / size));
-            w.to_f64() * self.solver.energy_density(&place, &u).to_f64()
+        let mut scaled = vec![S::ZERO; cloud.components];
+        let rows = cloud.positions().zip(cloud.weight).zip(cloud.values());
+        let terms = rows.map(|((x, w), u)| {
+            of(x, u, &mut scaled);
+            for u in &mut scaled {
+                *u = S::from_f64(u.to_f64() / size);
+            }
+            let density = self.solver.energy_density(x, self.clock.time, &scaled);
+            w.to_f64() * density.to_f64()
         });
         let squared = compensated(terms) * self.plan.unit_of_volume();
         // Rounding may leave less than nothing of nothing; what is no number stays none.
@@ -187,7 +172,8 @@ impl<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usize> Strength
     /// `Σ_k q_k` of a component, in the scenario's units.
     fn total(&self, component: usize) -> f64 {
         let volume = self.plan.unit_of_volume();
-        let strengths = self.cloud().strength.iter().map(|q| q[component]);
+        let cloud = self.solver.cloud();
+        let strengths = cloud.strengths(component);
         // A sum of rounded numbers would move where the exact one does not.
         if S::HAS_EXACT_SUMS {
             let nothing = S::product(S::ZERO, S::ZERO);
@@ -198,8 +184,9 @@ impl<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usize> Strength
 
     /// `Σ_k |q_k|` likewise.
     fn size(&self, component: usize) -> f64 {
-        let strengths = self.cloud().strength.iter();
-        let sizes = strengths.map(|q| S::rounded(q[component]).to_f64().abs());
+        let cloud = self.solver.cloud();
+        let strengths = cloud.strengths(component);
+        let sizes = strengths.map(|q| S::rounded(q).to_f64().abs());
         self.plan.unit_of_volume() * compensated(sizes)
     }
 
@@ -207,21 +194,13 @@ impl<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usize> Strength
     /// would be with all the energy spread evenly in that component; of one that is 0 its own size
     /// would be rounding. The energy weighs components of unlike units against each other.
     fn scales(&self) -> Vec<f64> {
-        let cloud = self.cloud();
+        let cloud = self.solver.cloud();
         let volume =
             self.plan.unit_of_volume() * compensated(cloud.weight.iter().map(|w| w.to_f64()));
         let norm = self.norm();
-        let place = cloud.position.first().map(|&position| Place {
-            position,
-            time: self.clock.time,
-        });
         let scale = |component: usize| {
-            let mut unit = [S::ZERO; P];
-            unit[component] = S::ONE;
-            let weight = place
-                .as_ref()
-                .map_or(S::ZERO, |place| self.solver.energy_density(place, &unit));
-            let scale = norm * (volume / weight.to_f64()).sqrt();
+            let weight = self.energy_of(&[component]);
+            let scale = norm * (volume / weight).sqrt();
             // A format may have no digits for the weight.
             if scale.is_finite() {
                 scale
@@ -231,13 +210,24 @@ impl<S: HostScalar, V: Solver<S, D, P>, const D: usize, const P: usize> Strength
         };
         (0..self.plan.names.len()).map(scale).collect()
     }
+
+    /// `u·Pu` at the first particle of a state with 1 in these components and 0 in the others; 0 without
+    /// particles.
+    fn energy_of(&self, components: &[usize]) -> f64 {
+        let cloud = self.solver.cloud();
+        let mut u = vec![S::ZERO; cloud.components];
+        for &component in components {
+            u[component] = S::ONE;
+        }
+        let first = cloud.positions().next();
+        first.map_or(0.0, |x| {
+            let energy = self.solver.energy_density(x, self.clock.time, &u);
+            energy.to_f64()
+        })
+    }
 }
 
-impl<S, V, const D: usize, const P: usize> Simulation for Strengths<S, V, D, P>
-where
-    S: HostScalar,
-    V: Solver<S, D, P>,
-{
+impl<S: HostScalar> Simulation for Strengths<S> {
     fn description(&self) -> &Description {
         &self.description
     }
@@ -278,7 +268,7 @@ where
         check_step((self.time(), unit), dt, left)?;
         let source = self.source_norm();
         let step = (self.clock.time, dt);
-        let made = self.solver.advance(engine, &mut self.memory, step);
+        let made = self.solver.advance(engine, step);
         let evaluations = made.map_err(failed)?;
         let ticked = self.stops.tick(&mut self.clock, dt, &room);
         ticked.map_err(failed)?;
@@ -306,20 +296,22 @@ where
     }
 
     fn places(&self) -> usize {
-        self.cloud().weight.len()
+        self.solver.cloud().weight.len()
     }
 
     fn show(&self, place: usize, row: &mut Row) -> bool {
-        let (cloud, plan) = (self.cloud(), &self.plan);
-        row.position = std::array::from_fn(|i| match cloud.position[place].get(i) {
+        let (cloud, plan) = (self.solver.cloud(), &self.plan);
+        let dimension = cloud.dimension;
+        let x = &cloud.position[place * dimension..][..dimension];
+        row.position = std::array::from_fn(|i| match x.get(i) {
             Some(x) => plan.middle[i] + x.to_f64() * plan.units.length,
             None => 0.0,
         });
         row.volume = cloud.weight[place].to_f64() * plan.unit_of_volume();
         row.values.clear();
-        row.values.extend(&row.position[..D]);
+        row.values.extend(&row.position[..dimension]);
         row.values.push(row.volume);
-        let values = &cloud.value[place][..plan.names.len()];
+        let values = &cloud.value[place * cloud.components..][..plan.names.len()];
         row.values.extend(values.iter().map(|u| u.to_f64()));
         row.values.push(cloud.neighbours[place].to_f64());
         true
@@ -334,7 +326,7 @@ where
         };
         let sums: Vec<Sum> = components.clone().map(sum).collect();
         let spread = |component: usize| {
-            let values = self.cloud().value.iter();
+            let values = self.solver.cloud().values();
             Spread::of(values.map(|u| u[component].to_f64()))
         };
         let mut diagnostics = vec![self.norm(), self.monitor.bound()];
@@ -342,27 +334,21 @@ where
         for Spread { min, mean, max } in components.map(spread).chain([self.neighbours()]) {
             diagnostics.extend([min, mean, max]);
         }
-        if let Some(ledger) = V::ledger(&self.memory) {
-            let volume = self.plan.unit_of_volume();
-            let sources = Source::all(&self.plan).into_iter();
-            diagnostics.extend(sources.map(|source| volume * source.total(ledger)));
+        let volume = self.plan.unit_of_volume();
+        for source in Source::all(&self.plan) {
+            let intake = self.solver.intake(source);
+            diagnostics.extend(intake.map(|intake| volume * intake));
         }
         Measures { diagnostics, sums }
     }
 
     fn energy_weights(&self) -> Vec<f64> {
-        let (p, cloud) = (self.plan.names.len(), self.cloud());
+        let p = self.plan.names.len();
         let is_plain = matches!(self.plan.system, System::ConvectionDiffusion(_));
-        let Some(&position) = cloud.position.first().filter(|_| !is_plain && p > 1) else {
+        if is_plain || p < 2 || self.places() == 0 {
             return Vec::new();
-        };
-        let time = self.clock.time;
-        let place = Place { position, time };
-        let energy = |i: usize, j: usize| {
-            let mut u = [S::ZERO; P];
-            (u[i], u[j]) = (S::ONE, S::ONE);
-            self.solver.energy_density(&place, &u).to_f64()
-        };
+        }
+        let energy = |i: usize, j: usize| self.energy_of(&[i, j]);
         // Of both at once what is not of either is that of their product, twice.
         let entry = |i: usize, j: usize| match i == j {
             true => energy(i, i),
@@ -384,7 +370,7 @@ where
     }
 
     fn neighbours(&self) -> Spread {
-        Spread::of(self.cloud().neighbours.iter().map(|n| n.to_f64()))
+        Spread::of(self.solver.cloud().neighbours.iter().map(|n| n.to_f64()))
     }
 
     fn width(&self) -> f64 {
@@ -392,47 +378,43 @@ where
     }
 
     fn digest(&mut self) -> Digest {
-        V::cloud_mut(&mut self.memory).parts().0.digest()
+        self.solver.digest()
     }
 
     fn digest_unordered(&mut self) -> Digest {
-        V::cloud_mut(&mut self.memory).parts().0.digest_unordered()
+        self.solver.digest_unordered()
     }
 
     fn reconstruct(&mut self, points: Option<&[[f64; 3]]>) -> Result<Vec<f64>, RunError> {
-        let (plan, failed) = (Arc::clone(&self.plan), self.failed());
-        let points: Vec<[S; D]> = match points {
-            None => self.cloud().position.clone(),
-            Some(points) => {
-                let along = |x: &[f64; 3], i: usize| (x[i] - plan.middle[i]) / plan.units.length;
-                let place = |x| std::array::from_fn(|i| S::from_f64(along(x, i)));
-                points.iter().map(place).collect()
-            }
-        };
-        let mut values = vec![[S::ZERO; P]; points.len()];
-        let time = self.clock.time;
-        let made = self
-            .solver
-            .reconstruct(&mut self.memory, time, &points, &mut values);
-        made.map_err(failed)?;
-        let rows = values.iter().flat_map(|u| &u[..plan.names.len()]);
-        Ok(rows.map(|u| u.to_f64()).collect())
+        let (plan, failed) = (&self.plan, self.failed());
+        let along = |x: &[f64; 3], i: usize| (x[i] - plan.middle[i]) / plan.units.length;
+        let place = |x| std::array::from_fn(|i| S::from_f64(along(x, i)));
+        let points = points.map(|points| points.iter().map(place).collect::<Vec<[S; 3]>>());
+        let made = self.solver.reconstruct(self.clock.time, points.as_deref());
+        let values = made.map_err(failed)?;
+        let components = self.solver.cloud().components;
+        let rows = values.chunks_exact(components);
+        let named = rows.flat_map(|u| &u[..self.plan.names.len()]);
+        Ok(named.map(|u| u.to_f64()).collect())
     }
 
     fn undamped(&mut self, engine: &mut Threads) -> Result<f64, RunError> {
         engine.serve(&self.holder);
         let failed = self.failed();
-        let part = self
-            .solver
-            .undamped(engine, &mut self.memory, self.clock.time);
+        let part = self.solver.undamped(engine, self.clock.time);
         part.map_err(failed)
     }
 
     fn doubts(&self, outcome: &Outcome) -> Vec<String> {
         let (plan, blind) = (&self.plan, undamped(outcome.undamped));
-        let weights = self.cloud().weight.iter().map(|w| w.to_f64());
+        let weights = self.solver.cloud().weight.iter().map(|w| w.to_f64());
         let largest = weights.fold(0.0, f64::max);
-        let thinned = thin(plan.cut_off, plan.epsilon, (largest, D), "the end");
+        let thinned = thin(
+            plan.cut_off,
+            plan.epsilon,
+            (largest, plan.dimension),
+            "the end",
+        );
         // What was thin at the start is told already.
         let was_thin = plan
             .doubts

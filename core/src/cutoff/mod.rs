@@ -84,6 +84,20 @@ pub trait CutOff: Copy + Send + Sync + 'static {
         S::count(self.support())
     }
 
+    /// The shapes of one pair; `scales` are those of `k` and `l`, see [`CutOff::scale`].
+    ///
+    /// A cut-off that is chosen at run time is chosen here, once for the pair, in a function of its
+    /// own: laws share it.
+    #[inline(always)]
+    fn shapes_of_pair<const D: usize, N: Number>(
+        self,
+        needs: Needs,
+        distance_squared: N,
+        scales: [N; 2],
+    ) -> Shapes<N> {
+        Shapes::make::<Self, D>(self, needs, distance_squared, scales)
+    }
+
     /// Makes the shapes of the first `count` pairs of a block, whose receivers have that scale.
     ///
     /// A cut-off that is chosen at run time is chosen here, once for all of them.

@@ -1,8 +1,8 @@
 //! A cut-off chosen while the program runs.
 
 use super::{
-    CubicSpline, CutOff, Needs, PairBlock, QuinticSpline, QuinticSplineFour, RootFree, Smooth,
-    WendlandC2, WendlandC4, WendlandC6,
+    CubicSpline, CutOff, Needs, PairBlock, QuinticSpline, QuinticSplineFour, RootFree, Shapes,
+    Smooth, WendlandC2, WendlandC4, WendlandC6,
 };
 use crate::scalar::{Number, Scalar};
 
@@ -10,7 +10,7 @@ macro_rules! named {
     ($($(#[$doc:meta])* $variant:ident => $value:expr, $name:literal;)*) => {
         /// Any of the cut-offs, by name. Gives the bits of the cut-off it names. In
         /// receiver lanes it is as fast as one that is compiled into the loop; where pairs are met
-        /// one by one it is looked up for each.
+        /// one by one it is looked up once for each.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Named {
             $($(#[$doc])* $variant,)*
@@ -71,6 +71,19 @@ macro_rules! named {
             #[inline]
             fn edge<S: Scalar>(self) -> S {
                 match self { $(Self::$variant => $value.edge(),)* }
+            }
+            #[inline(never)]
+            fn shapes_of_pair<const D: usize, N: Number>(
+                self,
+                needs: Needs,
+                distance_squared: N,
+                scales: [N; 2],
+            ) -> Shapes<N> {
+                match self {
+                    $(Self::$variant => {
+                        $value.shapes_of_pair::<D, N>(needs, distance_squared, scales)
+                    })*
+                }
             }
             #[inline(always)]
             fn shapes<const D: usize, N: Number>(

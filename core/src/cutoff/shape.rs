@@ -107,7 +107,7 @@ impl<N: Number> Shape<N> {
 impl<N: Number> Shapes<N> {
     /// Of one pair; `scales` are those of `k` and `l`, see [`CutOff::scale`].
     #[inline(always)]
-    pub fn of<C: CutOff, const D: usize>(
+    pub(super) fn make<C: CutOff, const D: usize>(
         cut_off: C,
         needs: Needs,
         distance_squared: N,

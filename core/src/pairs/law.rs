@@ -36,7 +36,9 @@ impl<S: Scalar, const D: usize> Separation<S, D> {
         Self {
             r,
             distance_squared,
-            zeta: Shapes::of::<W::CutOff, D>(law.cut_off(), W::NEEDS, distance_squared, scales),
+            zeta: law
+                .cut_off()
+                .shapes_of_pair::<D, _>(W::NEEDS, distance_squared, scales),
         }
     }
 

@@ -1,6 +1,6 @@
 //! The direct form (4.6): one symmetric pair operator.
 
-use crate::cutoff::{CutOff, Needs, Parts, Shapes, Widths};
+use crate::cutoff::{CutOff, Needs, Parts, Widths};
 use crate::domain::Wall;
 use crate::error::{Error, Quantity};
 use crate::numbered::numbered;
@@ -60,7 +60,9 @@ impl<S: Scalar, C: CutOff, const D: usize, const P: usize> Direct<S, C, D, P> {
         let apart = Separation {
             r: [S::ZERO; D],
             distance_squared: S::ZERO,
-            zeta: Shapes::of::<C, D>(self.cut_off, Self::NEEDS, S::ZERO, scales),
+            zeta: self
+                .cut_off
+                .shapes_of_pair::<D, _>(Self::NEEDS, S::ZERO, scales),
         };
         let size = self.size(self.bracket(&apart));
         let mean = self.mean;

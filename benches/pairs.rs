@@ -92,7 +92,7 @@ fn with_sum<S: HostScalar, const D: usize>(case: Case, then: impl FnOnce(Sum<'_,
         axes: [Axis::periodic(S::ZERO, side); D],
     };
     let epsilon = S::from_f64(case.eta);
-    let grid = sort(&domain, &positions, |_| epsilon + epsilon, &mut work.cells).unwrap();
+    let grid = sort(&domain, &positions, &|_| epsilon + epsilon, &mut work.cells).unwrap();
     let law = Density::new(CubicSpline, Width::Constant { epsilon });
     then(Sum {
         nodes: vec![law.node(S::ONE, epsilon); positions.len()],

@@ -77,7 +77,7 @@ fn with_cells(axis: Axis<f64>, look: impl Fn(&Cells<'_, f64, 1>)) {
         starts: &mut vec![0; cell_bound(n as u32) as usize + 1],
     };
     let domain = Domain { axes: [axis] };
-    let grid = sort(&domain, &positions, |_| 2.0, &mut buffers).unwrap();
+    let grid = sort(&domain, &positions, &|_| 2.0, &mut buffers).unwrap();
     look(&buffers.cells(grid, n));
 }
 
@@ -195,7 +195,7 @@ fn what_is_full_says_how_much_would_do() {
         cell_of: &mut [0; 3],
         starts: &mut [0; 200],
     };
-    let sorted = sort(&Domain::FREE, &positions, |_| 1.0, &mut buffers);
+    let sorted = sort(&Domain::FREE, &positions, &|_| 1.0, &mut buffers);
     let full = Error::Capacity {
         container: Container::Particles,
         needed: 3,

@@ -3,7 +3,8 @@
 use super::{EquationOfState, IdealGas, Isothermal, StiffenedGas, Tait};
 use crate::scalar::Scalar;
 
-/// Any of the materials; gives the bits of the one it names.
+/// Any of the materials; gives the bits of the one it names. Its laws are functions of their own: no pair
+/// asks for them, and they are long.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Named<S> {
     /// [`IdealGas`].
@@ -17,6 +18,7 @@ pub enum Named<S> {
 }
 
 impl<S: Scalar> EquationOfState<S> for Named<S> {
+    #[inline(never)]
     fn pressure(&self, density: S, energy: S) -> S {
         match self {
             Self::IdealGas(law) => law.pressure(density, energy),
@@ -26,6 +28,7 @@ impl<S: Scalar> EquationOfState<S> for Named<S> {
         }
     }
 
+    #[inline(never)]
     fn sound_speed(&self, density: S, energy: S) -> S {
         match self {
             Self::IdealGas(law) => law.sound_speed(density, energy),
@@ -35,6 +38,7 @@ impl<S: Scalar> EquationOfState<S> for Named<S> {
         }
     }
 
+    #[inline(never)]
     fn compressed(&self, densities: [S; 2], energy: S) -> S {
         match self {
             Self::IdealGas(law) => law.compressed(densities, energy),
@@ -44,6 +48,7 @@ impl<S: Scalar> EquationOfState<S> for Named<S> {
         }
     }
 
+    #[inline(never)]
     fn largest(&self, densities: [f64; 2], energy: f64) -> f64 {
         match self {
             Self::IdealGas(law) => law.largest(densities, energy),

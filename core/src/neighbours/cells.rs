@@ -61,15 +61,16 @@ pub struct Cells<'a, S, const D: usize> {
 ///
 /// `reach_of(id)`: the distance up to which the particle has partners. Errors: those of
 /// [`Grid::fit`], and buffers that are too small.
+// Told the reach through a pointer: compiled once, whatever the equation.
 pub fn sort<S: Scalar, const D: usize>(
     domain: &Domain<S, D>,
     positions: &[[S; D]],
-    reach_of: impl Fn(usize) -> S,
+    reach_of: &dyn Fn(usize) -> S,
     buffers: &mut CellBuffers<'_, S, D>,
 ) -> Result<Grid<S, D>, Error> {
     let n = positions.len();
     let reach = (0..n)
-        .map(&reach_of)
+        .map(reach_of)
         .reduce(Scalar::greater)
         .unwrap_or(S::ONE);
     let grid = Grid::fit(domain, positions, reach)?;

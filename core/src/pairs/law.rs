@@ -189,7 +189,7 @@ pub fn by_intervals_of<S: Scalar, const D: usize, W: Law<S, D>>(
     let [low, high] = [0, 1].map(|end| W::Node::lane::<Enclosure<S>>(&ends, end));
     let mut hull = low.splat::<Enclosure<S>>();
     W::Node::set_lane::<Enclosure<S>>(&mut hull, 1, &high);
-    let apart = farthest(law, ground.reach);
+    let apart = farthest((law.cut_off(), W::NEEDS), ground.reach);
     let worst = |k: &<W::Node as Fields<S>>::Of<Enclosure<S>>| {
         let mut sums = [W::Sums::ZERO.splat::<Enclosure<S>>(); 2];
         let [to_k, to_l] = &mut sums;
@@ -244,8 +244,10 @@ pub fn by_pairs<S: Scalar, const D: usize, W: Law<S, D>>(
             pair_over(law, [&k, &l], &partner.image, &apart, to);
             W::Sums::ZERO.each::<Enclosure<S>>(&to_l, &mut |sum| term = worse(term, sum.worst));
         };
-        each_partner(cells, place, &mut add);
-        each_image(cells, place, &mut add);
+        // Through a pointer: the visits of every law are compiled once.
+        let add: &mut dyn FnMut(&Partner<S, D>) = &mut add;
+        each_partner(cells, place, &mut *add);
+        each_image(cells, place, &mut *add);
         W::Sums::ZERO.each::<Enclosure<S>>(&to_k, &mut |sum| term = worse(term, sum.worst));
         largest.see(place, excess * f64::from(term));
     }
@@ -312,11 +314,13 @@ fn add_images<S: Scalar, const D: usize, W: Law<S, D>>(
 }
 
 /// All that may lie between the particles of a pair.
-fn farthest<S: Scalar, const D: usize, W: Law<S, D>>(
-    law: &W,
+// The same for every law: compiled once.
+#[inline(never)]
+fn farthest<S: Scalar, C: CutOff, const D: usize>(
+    (cut_off, needs): (C, Needs),
     reach: f64,
 ) -> Separation<Enclosure<S>, D> {
-    let peaks = Peaks::of::<S, _, D>(law.cut_off(), W::NEEDS.parts == Parts::All);
+    let peaks = Peaks::of::<S, _, D>(cut_off, needs.parts == Parts::All);
     let shape = Shape {
         value: Enclosure::within(peaks.value),
         gradient: Enclosure::within(peaks.gradient),

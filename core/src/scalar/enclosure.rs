@@ -11,7 +11,8 @@ use super::{Number, Scalar};
 /// magnitude of every sum and product on the way. Quotients and roots saturate in `S`, and do here.
 /// Each product and quotient is widened by a unit of the last place of `S`, for its rounding, and every
 /// result by one part in four millions, for that of `f32`: a device has it in hardware, and a bound
-/// needs no more digits.
+/// needs no more digits. Its operations are functions of their own: a law over intervals is long enough
+/// without them.
 #[derive(Clone, Copy, Debug)]
 pub struct Enclosure<S> {
     /// The least value.
@@ -127,6 +128,7 @@ impl<S: Scalar> Enclosure<S> {
 
 impl<S: Scalar> Add for Enclosure<S> {
     type Output = Self;
+    #[inline(never)]
     fn add(self, other: Self) -> Self {
         let (low, high) = self.sums([other.low, other.high]);
         Self::of(low, high, [&self, &other])
@@ -134,6 +136,7 @@ impl<S: Scalar> Add for Enclosure<S> {
 }
 impl<S: Scalar> Sub for Enclosure<S> {
     type Output = Self;
+    #[inline(never)]
     fn sub(self, other: Self) -> Self {
         let (low, high) = self.sums([-other.high, -other.low]);
         Self::of(low, high, [&self, &other])
@@ -147,6 +150,7 @@ impl<S: Scalar> Neg for Enclosure<S> {
 }
 impl<S: Scalar> Mul for Enclosure<S> {
     type Output = Self;
+    #[inline(never)]
     fn mul(self, other: Self) -> Self {
         let (low, high) = self.products(&other);
         Self::rounded(low, high, [&self, &other])
@@ -154,6 +158,7 @@ impl<S: Scalar> Mul for Enclosure<S> {
 }
 impl<S: Scalar> Div for Enclosure<S> {
     type Output = Self;
+    #[inline(never)]
     fn div(self, other: Self) -> Self {
         let largest = S::LARGEST.to_f32();
         let (low, high) = match other.low > 0.0 || other.high < 0.0 {
@@ -207,6 +212,7 @@ impl<S: Scalar> Number for Enclosure<S> {
     fn lane(&self, i: usize) -> S {
         self.ends[usize::from(i > 0)]
     }
+    #[inline(never)]
     fn sqrt(self) -> Self {
         let root = |x: f32| libm::sqrtf(larger(x, 0.0));
         Self::rounded(down(root(self.low)), up(root(self.high)), [&self, &self])
@@ -226,6 +232,7 @@ impl<S: Scalar> Number for Enclosure<S> {
     fn any_below(self, _: Self) -> bool {
         true
     }
+    #[inline(never)]
     fn dot<const D: usize>(a: &[Self; D], b: &[Self; D]) -> Self {
         let mut sum = Self::between(0.0, 0.0);
         for (a, b) in a.iter().zip(b) {
@@ -237,6 +244,7 @@ impl<S: Scalar> Number for Enclosure<S> {
         }
         Self::rounded(sum.low, sum.high, [&sum, &sum])
     }
+    #[inline(never)]
     fn length_squared<const D: usize>(r: &[Self; D]) -> Self {
         let limit = S::REACH_LIMIT.to_f32();
         let near = r.map(|x| {

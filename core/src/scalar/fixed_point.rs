@@ -179,7 +179,8 @@ macro_rules! fixed_point {
             fn lane(&self, _: usize) -> Self {
                 *self
             }
-            #[inline(always)]
+            // Long, and made of steps that no loop shares.
+            #[inline(never)]
             fn sqrt(self) -> Self {
                 let positive = self.to_bits().max(0) as $wide_unsigned;
                 Self::from_bits((positive << Self::FRACTION).isqrt() as $int)

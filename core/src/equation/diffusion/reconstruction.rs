@@ -86,7 +86,7 @@ where
     ) -> Result<(), Error> {
         let n = state.len();
         let reach = self.reach();
-        let grid = sort(&self.domain, state.position, |_| reach, &mut work.cells)?;
+        let grid = sort(&self.domain, state.position, &|_| reach, &mut work.cells)?;
         *work.grid = None;
         self.show(state, work, time);
         let cells = work.cells.cells(grid, n);

@@ -49,7 +49,7 @@ where
             let support = S::count(self.cut_off.support());
             let epsilons: &[S] = gas.epsilon;
             let reach = |id: usize| support * law.limit(*epsilons.get(id).unwrap_or(&S::ONE));
-            let grid = sort(&self.domain, gas.position, reach, &mut work.cells)?;
+            let grid = sort(&self.domain, gas.position, &reach, &mut work.cells)?;
             let cells = work.cells.cells(grid, n);
             engine.sorted();
             for (node, &id) in nodes.iter_mut().zip(cells.order()) {

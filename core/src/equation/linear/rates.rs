@@ -118,7 +118,7 @@ where
             Some(grid) => grid,
             None => {
                 let reach = self.reach();
-                let grid = sort(&self.domain, state.position, |_| reach, &mut work.cells)?;
+                let grid = sort(&self.domain, state.position, &|_| reach, &mut work.cells)?;
                 engine.sorted();
                 grid
             }

@@ -90,7 +90,7 @@ where
     ) -> Result<(), Error> {
         let n = state.len();
         let reach = self.reach();
-        let grid = sort(&self.domain, state.position, |_| reach, &mut work.cells)?;
+        let grid = sort(&self.domain, state.position, &|_| reach, &mut work.cells)?;
         let cells = work.cells.cells(grid, n);
         let Some(nodes) = work.nodes.get_mut(..n) else {
             return Err(Error::Lengths);

@@ -168,7 +168,7 @@ impl<const D: usize> Pusher<D> {
             starts: &mut self.starts,
         };
         let reach = EPSILON * f64::from(WendlandC2.support());
-        let grid = sort(domain, positions, |_| reach, &mut buffers)?;
+        let grid = sort(domain, positions, &|_| reach, &mut buffers)?;
         let cells = buffers.cells(grid, positions.len());
         HalfLoop.sweep(&Repulsion, &cells, &self.nodes, &mut self.settled)?;
         for (&id, settled) in cells.order().iter().zip(&self.settled) {

@@ -19,7 +19,7 @@ fn slopes<const D: usize>(particles: &[Particle<f64, D>]) -> Vec<Slopes<f64, D>>
     let mut arrays = PlainArrays::new(particles.iter().copied(), &Options::OFF);
     let (_, mut work) = arrays.parts();
     let reach = |id| 2.0 * width(id);
-    let grid = sort(&Domain::FREE, &positions, reach, &mut work.cells).unwrap();
+    let grid = sort(&Domain::FREE, &positions, &reach, &mut work.cells).unwrap();
     let cells = work.cells.cells(grid, particles.len());
     let node = |&id: &u32| {
         let particle = &particles[id as usize];

@@ -72,7 +72,10 @@ macro_rules! named {
             fn edge<S: Scalar>(self) -> S {
                 match self { $(Self::$variant => $value.edge(),)* }
             }
-            #[inline(never)]
+            // On a server all cut-offs are there, and shared by all laws; on a device the only one that
+            // there is, is known while it is compiled.
+            #[cfg_attr(feature = "std", inline(never))]
+            #[cfg_attr(not(feature = "std"), inline(always))]
             fn shapes_of_pair<const D: usize, N: Number>(
                 self,
                 needs: Needs,

@@ -4,12 +4,14 @@ mod clouds;
 
 use clouds::{Cloud, Following, sides};
 use fixed::types::extra::{U19, U32};
-use motes_core::cutoff::{CubicSpline, CutOff, QuinticSpline, RootFree};
+use motes_core::cutoff::Named;
 use motes_core::digest::Digest;
 use motes_core::domain::Side;
-use motes_core::equation::gas::viscosity::{Coefficients, GingoldMonaghan, Pairwise, VonNeumann};
+use motes_core::equation::gas::viscosity::{
+    Coefficients, GingoldMonaghan, Named as NamedViscosity, Pairwise, VonNeumann,
+};
 use motes_core::equation::gas::{
-    Diffusion, EnergyForm, NoSlip, Options, Physics, Plain, Switch, Viscosity, Weights, Width,
+    Diffusion, EnergyForm, NoSlip, Options, Physics, Plain, Switch, Weights, Width,
 };
 use motes_core::error::Error;
 use motes_core::neighbours::Cells;
@@ -18,36 +20,17 @@ use motes_core::scalar::{Micro, Q32, Q64, Scalar};
 use motes_solver::engine::{GrowingList, HostScalar, InstructionSet, Threads};
 use proptest::prelude::*;
 
-/// An engine that goes on where a proof fails. These clouds are wild, and the sums of all options leave
-/// formats of 32 bits; that bits are equal and that sums cancel holds of numbers that wrap, too.
-struct GoesOn<'a, E>(&'a mut E);
-
-impl<S: Scalar, E: Engine<S, D>, const D: usize> Engine<S, D> for GoesOn<'_, E> {
-    fn sorted(&mut self) {
-        self.0.sorted();
-    }
-    fn unproven(&mut self, _: Error) -> Result<(), Error> {
-        Ok(())
-    }
-    fn sweep<W: Law<S, D>>(
-        &mut self,
-        law: &W,
-        cells: &Cells<'_, S, D>,
-        nodes: &[W::Node],
-        settled: &mut [Settled<W::Node, W::Sums>],
-    ) -> Result<(), Error> {
-        self.0.sweep(law, cells, nodes, settled)
-    }
-}
-
 /// Lanes without threads, over a few ranges that cut rows anywhere.
-struct LaneLoop<const L: usize> {
+struct LaneLoop {
     lists: Vec<GrowingList>,
     fresh: bool,
     range: usize,
 }
 
-impl<const L: usize> LaneLoop<L> {
+/// Lanes of a block: of a number that divides none of anything.
+const LANES: usize = 3;
+
+impl LaneLoop {
     fn new(range: usize) -> Self {
         Self {
             lists: Vec::new(),
@@ -55,13 +38,8 @@ impl<const L: usize> LaneLoop<L> {
             range,
         }
     }
-}
 
-impl<S: Scalar, const D: usize, const L: usize> Engine<S, D> for LaneLoop<L> {
-    fn sorted(&mut self) {
-        self.fresh = true;
-    }
-    fn sweep<W: Law<S, D>>(
+    fn sweep<S: Scalar, const D: usize, W: Law<S, D>>(
         &mut self,
         law: &W,
         cells: &Cells<'_, S, D>,
@@ -80,12 +58,50 @@ impl<S: Scalar, const D: usize, const L: usize> Engine<S, D> for LaneLoop<L> {
             }
             let first = i * self.range;
             let fresh = self.fresh;
-            assert!(lanes::<Portable, S, D, L, W>(
+            assert!(lanes::<Portable, S, D, LANES, W>(
                 law, cells, nodes, first, settled, list, fresh
             ));
         }
         self.fresh = false;
         Ok(())
+    }
+}
+
+/// Any engine, so that the solver is compiled once for all of them.
+///
+/// It goes on where a proof fails. These clouds are wild, and the sums of all options leave formats of
+/// 32 bits; that bits are equal and that sums cancel holds of numbers that wrap, too.
+enum AnyEngine {
+    Plain,
+    Half,
+    Lanes(LaneLoop),
+    Threads(Threads),
+}
+
+impl<S: HostScalar, const D: usize> Engine<S, D> for AnyEngine {
+    fn sorted(&mut self) {
+        match self {
+            Self::Plain | Self::Half => {}
+            Self::Lanes(engine) => engine.fresh = true,
+            Self::Threads(engine) => Engine::<S, D>::sorted(engine),
+        }
+    }
+    fn unproven(&mut self, _: Error) -> Result<(), Error> {
+        Ok(())
+    }
+    fn sweep<W: Law<S, D>>(
+        &mut self,
+        law: &W,
+        cells: &Cells<'_, S, D>,
+        nodes: &[W::Node],
+        settled: &mut [Settled<W::Node, W::Sums>],
+    ) -> Result<(), Error> {
+        match self {
+            Self::Plain => PlainLoop.sweep(law, cells, nodes, settled),
+            Self::Half => HalfLoop.sweep(law, cells, nodes, settled),
+            Self::Lanes(engine) => engine.sweep(law, cells, nodes, settled),
+            Self::Threads(engine) => engine.sweep(law, cells, nodes, settled),
+        }
     }
 }
 
@@ -146,20 +162,22 @@ fn everything<S: Scalar, const D: usize>(form: usize, by_number: bool) -> Option
     }
 }
 
+/// With cut-off and viscosity of any name.
+type Solver<S, P, const D: usize> = Following<S, Named, NamedViscosity<S>, P, D>;
+
 /// The digest of a cloud of two materials after `steps` steps.
-fn run<S: Scalar, const D: usize, C: CutOff, V: Viscosity<S>, P: Case<S, D>>(
+fn run<S: HostScalar, const D: usize, P: Case<S, D>>(
     cloud: &Cloud,
-    solver: &Following<S, C, V, P, D>,
-    engine: &mut impl Engine<S, D>,
+    solver: &Solver<S, P, D>,
+    engine: &mut AnyEngine,
     steps: usize,
 ) -> Result<Digest, Error> {
     let mut arrays = cloud.arrays_of_two::<S, P::Shown, D>(&solver.physics.options());
     let (mut gas, mut work) = arrays.parts();
-    let mut engine = GoesOn(engine);
-    solver.prepare(&mut engine, &mut gas, &mut work)?;
+    solver.prepare(engine, &mut gas, &mut work)?;
     for _ in 0..steps {
         let dt = solver.time_step(&gas, S::ONE)?;
-        solver.advance(&mut engine, &mut gas, &mut work, dt)?;
+        solver.advance(engine, &mut gas, &mut work, dt)?;
     }
     Ok(gas.digest())
 }
@@ -171,22 +189,22 @@ fn after_steps<P: Case<f32, 2>>(
     sides: [[Side; 2]; 2],
 ) -> Result<Digest, Error> {
     let width = Width::adaptive(cloud.eta as f32);
-    let solver = cloud.following(physics, sides, CubicSpline, width, pairwise());
-    run(cloud, &solver, &mut PlainLoop, 3)
+    let solver = cloud.following(physics, sides, Named::CubicSpline, width, pairwise());
+    run(cloud, &solver, &mut AnyEngine::Plain, 3)
 }
 
 /// All engines on one cloud.
-fn all_engines_agree<S: HostScalar, const D: usize, C: CutOff, V: Viscosity<S>, P: Case<S, D>>(
+fn all_engines_agree<S: HostScalar, const D: usize, P: Case<S, D>>(
     cloud: &Cloud,
     physics: P,
     sides: [[Side; 2]; D],
-    cut_off: C,
-    viscosity: V,
+    cut_off: Named,
+    viscosity: NamedViscosity<S>,
 ) {
     let width = Width::adaptive(S::from_f64(cloud.eta));
     let solver = cloud.following(physics, sides, cut_off, width, viscosity);
     let steps = 3;
-    let plain = run(cloud, &solver, &mut PlainLoop, steps);
+    let plain = run(cloud, &solver, &mut AnyEngine::Plain, steps);
     let context = || {
         format!(
             "{} in {D}D, {cloud:?}, {sides:?}, {physics:?}",
@@ -194,40 +212,28 @@ fn all_engines_agree<S: HostScalar, const D: usize, C: CutOff, V: Viscosity<S>, 
         )
     };
     assert!(plain.is_ok(), "{plain:?}: {}", context());
-    assert_eq!(
-        plain,
-        run(cloud, &solver, &mut HalfLoop, steps),
-        "half: {}",
-        context()
-    );
-    assert_eq!(
-        plain,
-        run(cloud, &solver, &mut LaneLoop::<3>::new(37), steps),
-        "3: {}",
-        context()
-    );
-    assert_eq!(
-        plain,
-        run(cloud, &solver, &mut LaneLoop::<8>::new(999), steps),
-        "8: {}",
-        context()
-    );
-    for set in [
-        InstructionSet::Portable,
-        InstructionSet::Avx2,
-        InstructionSet::Avx512,
-    ] {
-        let mut threads = Threads::with(2, set).unwrap();
-        let bits = run(cloud, &solver, &mut threads, steps);
-        assert_eq!(plain, bits, "{}: {}", set.name(), context());
+    let threads = |set| AnyEngine::Threads(Threads::with(2, set).unwrap());
+    let mut engines = vec![
+        ("half", AnyEngine::Half),
+        ("lanes", AnyEngine::Lanes(LaneLoop::new(37))),
+        ("threads", threads(InstructionSet::Portable)),
+    ];
+    // Without lanes an instruction set changes nothing.
+    if S::HAS_LANES {
+        engines.push(("AVX2", threads(InstructionSet::Avx2)));
+        engines.push(("AVX-512", threads(InstructionSet::Avx512)));
+    }
+    for (name, mut engine) in engines {
+        let bits = run(cloud, &solver, &mut engine, steps);
+        assert_eq!(plain, bits, "{name}: {}", context());
     }
 }
 
-fn pairwise<S: Scalar>() -> Pairwise<S> {
-    Pairwise(Coefficients {
+fn pairwise<S: Scalar>() -> NamedViscosity<S> {
+    NamedViscosity::Pairwise(Pairwise(Coefficients {
         alpha: S::ONE,
         beta: S::from_f64(2.0),
-    })
+    }))
 }
 
 /// In three dimensions with a narrow cut-off: at a free corner ε is twice as large, and a
@@ -263,12 +269,12 @@ macro_rules! every_dimension {
             ) {
                 let _ = $form;
                 let viscosity = pairwise::<$scalar>();
-                all_engines_agree::<$scalar, 1, _, _, _>(
-                    &cloud(60, seed), $physics, sides(kind), CubicSpline, viscosity);
-                all_engines_agree::<$scalar, 2, _, _, _>(
-                    &cloud(14, seed), $physics, sides(kind), CubicSpline, viscosity);
-                all_engines_agree::<$scalar, 3, _, _, _>(
-                    &solid(seed), $physics, sides(kind), CubicSpline, viscosity);
+                all_engines_agree::<$scalar, 1, _>(
+                    &cloud(60, seed), $physics, sides(kind), Named::CubicSpline, viscosity);
+                all_engines_agree::<$scalar, 2, _>(
+                    &cloud(14, seed), $physics, sides(kind), Named::CubicSpline, viscosity);
+                all_engines_agree::<$scalar, 3, _>(
+                    &solid(seed), $physics, sides(kind), Named::CubicSpline, viscosity);
             }
         }
     };
@@ -324,12 +330,13 @@ proptest! {
     ) {
         let c = Coefficients { alpha: 1.0f32, beta: 2.0 };
         let (plain, all) = (plain(by_number), everything(form, by_number));
-        let (neumann, gingold) = (VonNeumann(c), GingoldMonaghan(c));
+        let neumann = NamedViscosity::VonNeumann(VonNeumann(c));
+        let gingold = NamedViscosity::GingoldMonaghan(GingoldMonaghan(c));
         let cloud = cloud(14, seed);
-        all_engines_agree::<f32, 2, _, _, _>(&cloud, plain, sides(kind), CubicSpline, neumann);
-        all_engines_agree::<f32, 2, _, _, _>(&cloud, plain, sides(kind), CubicSpline, gingold);
-        all_engines_agree::<f32, 2, _, _, _>(&cloud, all, sides(kind), CubicSpline, neumann);
-        all_engines_agree::<f32, 2, _, _, _>(&cloud, all, sides(kind), CubicSpline, gingold);
+        all_engines_agree::<f32, 2, _>(&cloud, plain, sides(kind), Named::CubicSpline, neumann);
+        all_engines_agree::<f32, 2, _>(&cloud, plain, sides(kind), Named::CubicSpline, gingold);
+        all_engines_agree::<f32, 2, _>(&cloud, all, sides(kind), Named::CubicSpline, neumann);
+        all_engines_agree::<f32, 2, _>(&cloud, all, sides(kind), Named::CubicSpline, gingold);
     }
 
     /// Each option alone: what the others would hide must show.
@@ -354,8 +361,8 @@ proptest! {
             _ => one.energy = FORMS[form % 2],
         }
         one.plain.acceleration = [0.01, -0.02];
-        all_engines_agree::<f32, 2, _, _, _>(
-            &cloud(14, seed), one, sides(kind), CubicSpline, pairwise());
+        all_engines_agree::<f32, 2, _>(
+            &cloud(14, seed), one, sides(kind), Named::CubicSpline, pairwise());
     }
 
     #[test]
@@ -378,11 +385,11 @@ proptest! {
         let (paper, all) = (plain(false), everything(0, false));
         // At a free side epsilon may double, and a period must still hold three reaches.
         let wide = cloud(24, seed);
-        all_engines_agree::<f64, 2, _, _, _>(&wide, paper, sides(kind), QuinticSpline, pairwise());
-        all_engines_agree::<f64, 2, _, _, _>(&wide, all, sides(kind), QuinticSpline, pairwise());
+        all_engines_agree::<f64, 2, _>(&wide, paper, sides(kind), Named::QuinticSpline, pairwise());
+        all_engines_agree::<f64, 2, _>(&wide, all, sides(kind), Named::QuinticSpline, pairwise());
         let free = Cloud { eta: 2.4, ..cloud(14, seed) };
-        all_engines_agree::<f64, 2, _, _, _>(&free, paper, sides(kind), RootFree::<4>, pairwise());
-        all_engines_agree::<f64, 2, _, _, _>(&free, all, sides(kind), RootFree::<4>, pairwise());
+        all_engines_agree::<f64, 2, _>(&free, paper, sides(kind), Named::RootFree, pairwise());
+        all_engines_agree::<f64, 2, _>(&free, all, sides(kind), Named::RootFree, pairwise());
     }
 }
 
@@ -396,13 +403,11 @@ fn a_bad_first_guess_of_epsilon_keeps_the_bits() {
     };
     let width = Width::adaptive(1.9f64);
     let all = everything(0, false);
-    let solver = cloud.following(all, sides::<2>(12), CubicSpline, width, pairwise());
-    let plain = run(&cloud, &solver, &mut PlainLoop, 2).unwrap();
-    assert_eq!(plain, run(&cloud, &solver, &mut HalfLoop, 2).unwrap());
-    assert_eq!(
-        plain,
-        run(&cloud, &solver, &mut LaneLoop::<8>::new(50), 2).unwrap()
-    );
+    let solver = cloud.following(all, sides::<2>(12), Named::CubicSpline, width, pairwise());
+    let run = |mut engine| run(&cloud, &solver, &mut engine, 2).unwrap();
+    let plain = run(AnyEngine::Plain);
+    assert_eq!(plain, run(AnyEngine::Half));
+    assert_eq!(plain, run(AnyEngine::Lanes(LaneLoop::new(50))));
 }
 
 /// Sums up to 0 without being 0.
@@ -421,10 +426,11 @@ fn rates_cancel<S: HostScalar, const D: usize, P: Case<S, D>>(
         let cloud = cloud(per_side, seed);
         let width = Width::adaptive(S::from_f64(1.2));
         for sides in [sides::<D>(0), [[Side::Periodic; 2]; D]] {
-            let solver = cloud.following(physics, sides, CubicSpline, width, pairwise::<S>());
+            let solver =
+                cloud.following(physics, sides, Named::CubicSpline, width, pairwise::<S>());
             let mut arrays = cloud.arrays_of_two::<S, P::Shown, D>(&physics.options());
             let (mut gas, mut work) = arrays.parts();
-            let mut engine = GoesOn(&mut HalfLoop);
+            let mut engine = AnyEngine::Half;
             solver.prepare(&mut engine, &mut gas, &mut work).unwrap();
             for _ in 0..steps {
                 for i in 0..D {
@@ -481,10 +487,11 @@ fn fixed_point_heat_cancels_exactly_within_each_material() {
             let width = Width::adaptive(S::from_f64(1.2));
             let options = everything(form, false);
             for sides in [sides::<D>(0), [[Side::Periodic; 2]; D]] {
-                let solver = cloud.following(options, sides, CubicSpline, width, pairwise::<S>());
+                let solver =
+                    cloud.following(options, sides, Named::CubicSpline, width, pairwise::<S>());
                 let mut arrays = cloud.arrays_of_two::<S, _, D>(&options);
                 let (mut gas, mut work) = arrays.parts();
-                let mut engine = GoesOn(&mut HalfLoop);
+                let mut engine = AnyEngine::Half;
                 solver.prepare(&mut engine, &mut gas, &mut work).unwrap();
                 for material in [0, 1] {
                     let here = gas.material.iter().zip(gas.power.iter());

@@ -467,7 +467,7 @@ fn particles_that_are_carried_by_few_last_places_are_told() {
             .filter(|text| text.contains("last place"));
         told.collect::<Vec<_>>()
     };
-    let slow = ["motion={kind=\"uniform\", velocity=[1e-5]}"];
+    let slow = ["motion={kind=\"uniform\", velocity=[1e-6]}"];
     let still = told("q15.16", &slow);
     assert_eq!(still.len(), 1, "{still:?}");
     assert!(still[0].contains("up to 100 % astray"), "{still:?}");

@@ -2,6 +2,7 @@
 
 mod runs;
 
+use motes::report::pictures::pictures;
 use motes::report::summary::Summary;
 use runs::{any_scenario, experiment};
 
@@ -72,4 +73,25 @@ fn a_background_pressure_is_part_of_the_force_on_a_wall() {
     let few = ["resolution.particles=4000", walls];
     let plane = force("sod2d", "force_x_lower_x", &few) / 0.25;
     assert!((plane + 1.0).abs() < 0.01, "{plane}");
+}
+
+/// Over y a stream along x is drawn, not the nothing across the walls; and of vortices the particles beside
+/// the line that the exact solution is drawn along, as others have other values.
+#[test]
+fn pictures_show_what_the_exact_solution_is_about() {
+    let figure = |name: &str, changes: &[&str]| {
+        let experiment = experiment(any_scenario(name, changes), "f64", 1);
+        let pictures = pictures(&experiment).unwrap();
+        let figure = pictures.into_iter().find(|(name, _)| *name == "figure.svg");
+        figure.unwrap().1
+    };
+    let points = |figure: &str| figure.matches("<circle").count() - 1;
+    let few = ["resolution.particles=384", "time.end=0.01"];
+    let stream = figure("couette", &few);
+    assert!(stream.contains("velocity_x") && !stream.contains("velocity_y"));
+    let all = points(&stream) / 4;
+    assert!((340..=400).contains(&all), "{all} of 384 particles");
+    let few = ["resolution.particles=1024", "time.end=0.001"];
+    let beside = points(&figure("taylor-green", &few)) / 4;
+    assert!((16..=64).contains(&beside), "{beside} along 32 spacings");
 }

@@ -6,8 +6,10 @@ use miette::Report;
 
 use super::figure::{self, Line, MOST_PANELS, MOST_POINTS, Panel};
 use super::map::{self, MOST_MAPS, Map, Raster};
+use crate::exact::solution::Solution;
 use crate::experiment::Experiment;
 use crate::run::{Abscissa, Field, Kind, Row, View};
+use crate::scenario::Extent;
 use crate::scenario::linear::Series;
 
 /// Points of the curve of an exact solution.
@@ -75,13 +77,87 @@ fn point(abscissa: Abscissa, value: f64, middle: [f64; 3], furthest: [f64; 3]) -
     }
 }
 
-/// What is drawn of a field: of a vector the component along the abscissa, or its length.
-fn shown(field: &Field, values: &[f64], abscissa: Abscissa) -> f64 {
-    match (field.kind, abscissa) {
-        (Kind::Vector, Abscissa::Along(axis)) => values[axis],
-        (Kind::Vector, Abscissa::From(_)) => values.iter().map(|u| u * u).sum::<f64>().sqrt(),
-        _ => values[0],
+/// What is drawn of a field.
+#[derive(Clone, Copy)]
+enum Part {
+    /// A component.
+    Component(usize),
+    /// The length of a vector.
+    Length,
+}
+
+impl Part {
+    /// Of a vector its length over a radius, and over a coordinate the component along it, unless the
+    /// exact solution has more in another one: a stream along walls shows nothing across them.
+    fn of(field: &Field, abscissa: Abscissa, curve: &[(f64, Vec<f64>)]) -> Self {
+        let (Kind::Vector, Abscissa::Along(axis)) = (field.kind, abscissa) else {
+            return match field.kind {
+                Kind::Vector => Self::Length,
+                _ => Self::Component(0),
+            };
+        };
+        let largest = |i: usize| {
+            let sizes = curve.iter().map(|(_, values)| values[i].abs());
+            sizes.fold(0.0, f64::max)
+        };
+        let mut found = axis;
+        for i in 0..field.components {
+            if largest(i) > largest(found) {
+                found = i;
+            }
+        }
+        Self::Component(found)
     }
+
+    fn value(self, values: &[f64]) -> f64 {
+        match self {
+            Self::Component(i) => values[i],
+            Self::Length => values.iter().map(|u| u * u).sum::<f64>().sqrt(),
+        }
+    }
+
+    /// What it is called.
+    fn heading(self, field: &Field) -> String {
+        match self {
+            Self::Component(i) => field.headings().swap_remove(i),
+            Self::Length => field.name.clone(),
+        }
+    }
+}
+
+/// Whether a solution changes across the abscissa: what lies away from its curve says nothing of it then.
+fn varies_across(
+    exact: &dyn Solution,
+    (window, dimension): (&Extent, usize),
+    abscissa: Abscissa,
+    time: f64,
+) -> bool {
+    const LINES: usize = 8;
+    let Abscissa::Along(axis) = abscissa else {
+        return false;
+    };
+    let middle = std::array::from_fn(|i| window.middle(i));
+    let inside = |i: usize, part: usize| {
+        let share = (part as f64 + 0.5) / LINES as f64;
+        window.lower[i] + share * (window.upper[i] - window.lower[i])
+    };
+    let (mut largest, mut off) = (0.0f64, 0.0f64);
+    for along in 0..LINES {
+        let mut on: [f64; 3] = middle;
+        on[axis] = inside(axis, along);
+        let right = exact.at(on, time);
+        for other in (0..dimension).filter(|&other| other != axis) {
+            for line in 0..LINES {
+                let mut beside = on;
+                beside[other] = inside(other, line);
+                for (a, b) in exact.at(beside, time).iter().zip(&right) {
+                    off = off.max((a - b).abs());
+                    largest = largest.max(b.abs());
+                }
+            }
+        }
+    }
+    off > 1e-3 * largest
 }
 
 /// A panel for each field over the window: particles as points, the exact solution as a curve.
@@ -94,24 +170,20 @@ fn panels(experiment: &Experiment) -> Vec<Panel> {
         is_cut,
         ..
     } = description.view;
+    let fields: Vec<&Field> = description.compared().take(MOST_PANELS).collect();
     let middle: [f64; 3] = std::array::from_fn(|i| window.middle(i));
+    let time = experiment.outcome.time;
+    let beside = experiment.exact.as_deref().filter(|exact| {
+        let room = (window, description.dimension);
+        varies_across(*exact, room, abscissa, time)
+    });
+    let half_width = half_width.or(beside.map(|_| 0.5 * description.spacing));
     let is_near = |row: &Row| {
-        let mut others = 1..description.dimension;
+        let is_other = |i: &usize| abscissa != Abscissa::Along(*i);
+        let mut others = (0..description.dimension).filter(is_other);
         half_width.is_none_or(|half| others.all(|i| (row.position[i] - middle[i]).abs() <= half))
     };
     let is_inside = |row: &Row| window.contains(&row.position) && is_near(row);
-    let fields: Vec<&Field> = description.compared().take(MOST_PANELS).collect();
-    let point_of = |field: &Field, row: &Row| {
-        let value = shown(field, &row.values[field.places()], abscissa);
-        (along(abscissa, &row.position), value)
-    };
-    let mut panels: Vec<Panel> = fields
-        .iter()
-        .map(|field| Panel {
-            heading: field.name.clone(),
-            ..Panel::default()
-        })
-        .collect();
     let (mut inside, mut furthest) = (0usize, middle);
     simulation.each(|row| {
         if is_inside(row) {
@@ -119,42 +191,54 @@ fn panels(experiment: &Experiment) -> Vec<Panel> {
             if inside == 1 || along(abscissa, &row.position) > along(abscissa, &furthest) {
                 furthest = row.position;
             }
-            for (field, panel) in fields.iter().zip(&mut panels) {
-                panel.reach(point_of(field, row));
-            }
-        }
-    });
-    let stride = inside.div_ceil(MOST_POINTS).max(1);
-    let mut number = 0;
-    simulation.each(|row| {
-        if is_inside(row) {
-            if number % stride == 0 {
-                for (field, panel) in fields.iter().zip(&mut panels) {
-                    panel.points.push(point_of(field, row));
-                }
-            }
-            number += 1;
         }
     });
     let (lower, upper) = match abscissa {
         Abscissa::Along(axis) => (window.lower[axis], window.upper[axis]),
         Abscissa::From(_) => (0.0, along(abscissa, &furthest)),
     };
+    // The fields of the curve, one after the other.
+    let mut curves: Vec<Vec<(f64, Vec<f64>)>> = vec![Vec::new(); fields.len()];
     if let Some(exact) = &experiment.exact {
         for i in 0..=POINTS {
             let x = lower + (upper - lower) * i as f64 / POINTS as f64;
-            let state = exact.at(
-                point(abscissa, x, middle, furthest),
-                experiment.outcome.time,
-            );
+            let state = exact.at(point(abscissa, x, middle, furthest), time);
             let mut rest = &state[..];
-            for (field, panel) in fields.iter().zip(&mut panels) {
+            for (field, curve) in fields.iter().zip(&mut curves) {
                 let (values, after) = rest.split_at(field.components);
                 rest = after;
-                panel.curve.push((x, shown(field, values, abscissa)));
+                curve.push((x, values.to_vec()));
             }
         }
     }
+    let parts = fields.iter().zip(&curves);
+    let parts: Vec<Part> = parts
+        .map(|(field, curve)| Part::of(field, abscissa, curve))
+        .collect();
+    let mut panels: Vec<Panel> = (fields.iter().zip(&parts).zip(curves))
+        .map(|((field, part), curve)| Panel {
+            heading: part.heading(field),
+            curve: (curve.iter())
+                .map(|(x, values)| (*x, part.value(values)))
+                .collect(),
+            ..Panel::default()
+        })
+        .collect();
+    let stride = inside.div_ceil(MOST_POINTS).max(1);
+    let mut number = 0;
+    simulation.each(|row| {
+        if is_inside(row) {
+            let x = along(abscissa, &row.position);
+            for ((field, part), panel) in fields.iter().zip(&parts).zip(&mut panels) {
+                let point = (x, part.value(&row.values[field.places()]));
+                panel.reach(point);
+                if number % stride == 0 {
+                    panel.points.push(point);
+                }
+            }
+            number += 1;
+        }
+    });
     for panel in &mut panels {
         panel.stride = stride;
         if is_cut {

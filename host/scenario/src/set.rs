@@ -107,9 +107,14 @@ impl<'a> Change<'a> {
             let is_whole = is_last && self.value.is_whole();
             if keys::keys_of(self.family, &inner).is_empty() || is_whole {
                 return match keys.next() {
-                    None => self
-                        .put(&way, key)
-                        .ok_or_else(|| self.whole_section(&inner)),
+                    None => self.put(&way, key).ok_or_else(|| {
+                        let is_list = LISTS.contains(&inner.as_str());
+                        self.whole_section(&if is_list {
+                            keys::path(&inner, "0")
+                        } else {
+                            inner
+                        })
+                    }),
                     Some(deeper) => Err(self.unknown(deeper, &inner)),
                 };
             }

@@ -316,6 +316,7 @@ fn a_faulty_set_names_the_flag_and_the_cure() {
         ),
         ("region.0=2", "names a section", "--set region.0.lower=..."),
         ("region=2", "names a section", "--set region.0.lower=..."),
+        ("region=[1]", "names a section", "--set region.0.lower=..."),
         (
             "region.2.density=2",
             "there is no region 2, the file has 2",

@@ -86,7 +86,7 @@ pub trait CutOff: Copy + Send + Sync + 'static {
 
     /// The shapes of one pair; `scales` are those of `k` and `l`, see [`CutOff::scale`].
     ///
-    /// A cut-off that is chosen at run time is chosen here, once for the pair.
+    /// A cut-off that is chosen at run time may be chosen here, once for the pair.
     #[inline(always)]
     fn shapes_of_pair<const D: usize, N: Number>(
         self,

@@ -1,8 +1,8 @@
 //! A cut-off chosen while the program runs.
 
 use super::{
-    CubicSpline, CutOff, Needs, PairBlock, QuinticSpline, QuinticSplineFour, RootFree, Shapes,
-    Smooth, WendlandC2, WendlandC4, WendlandC6,
+    CubicSpline, CutOff, Needs, PairBlock, QuinticSpline, QuinticSplineFour, RootFree, Smooth,
+    WendlandC2, WendlandC4, WendlandC6,
 };
 use crate::scalar::{Number, Scalar};
 
@@ -72,16 +72,16 @@ macro_rules! named {
             fn edge<S: Scalar>(self) -> S {
                 match self { $(Self::$variant => $value.edge(),)* }
             }
-            // On a server all cut-offs are there, and shared by all laws; on a device the only one that
-            // there is, is known while it is compiled.
-            #[cfg_attr(feature = "std", inline(never))]
-            #[cfg_attr(not(feature = "std"), inline(always))]
+            // On a server, where all cut-offs are there: chosen once for a pair, in a function that laws
+            // share. On a device the one that there is, is known while it is compiled.
+            #[cfg(feature = "std")]
+            #[inline(never)]
             fn shapes_of_pair<const D: usize, N: Number>(
                 self,
                 needs: Needs,
                 distance_squared: N,
                 scales: [N; 2],
-            ) -> Shapes<N> {
+            ) -> super::Shapes<N> {
                 match self {
                     $(Self::$variant => {
                         $value.shapes_of_pair::<D, N>(needs, distance_squared, scales)

@@ -21,11 +21,11 @@ use super::walls::{Reversal, apart_as};
 
 /// The work that the forces of [`Motion`] do, of the velocities of now and of their rates.
 #[derive(Clone, Copy, Debug)]
-pub struct Work<C, V, T>(pub Motion<C, V, T>);
+pub struct PairWork<C, V, T>(pub Motion<C, V, T>);
 
 /// The flow of total energy, (3.11), with the forces of [`Motion`].
 #[derive(Clone, Copy, Debug)]
-pub struct Flow<C, V, T>(pub Motion<C, V, T>);
+pub struct EnergyFlow<C, V, T>(pub Motion<C, V, T>);
 
 macro_rules! law_of_energy {
     ($name:ident, |$of:ident, $seen:ident, $k:ident, $l:ident, $r:ident, $to_k:ident, $to_l:ident| $pair:block) => {
@@ -108,7 +108,7 @@ macro_rules! law_of_energy {
     };
 }
 
-law_of_energy!(Work, |of, seen, k, l, r, to_k, to_l| {
+law_of_energy!(PairWork, |of, seen, k, l, r, to_k, to_l| {
     let half = N::literal(0.5);
     let mut v = [N::zero(); D];
     let mut w = [N::zero(); D];
@@ -148,7 +148,7 @@ law_of_energy!(Work, |of, seen, k, l, r, to_k, to_l| {
     }
 });
 
-law_of_energy!(Flow, |of, seen, k, l, r, to_k, to_l| {
+law_of_energy!(EnergyFlow, |of, seen, k, l, r, to_k, to_l| {
     let along =
         |of: &NodeOver<N, S, Options<S, D>, D>, r: &[N; D]| N::dot(&of.terms.velocity_now, r);
     let (along_k, along_l) = (along(k, r), along(l, r));

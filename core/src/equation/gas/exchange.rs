@@ -46,7 +46,7 @@ record! {
         pub diffusivity: N,
         /// Velocity at the end of the step; only in the laws of [`super::energy`].
         pub velocity_now: [N; D],
-        /// Acceleration; only in [`super::energy::Work`].
+        /// Acceleration; only in [`super::energy::PairWork`].
         pub acceleration: [N; D],
         /// `∂e/∂x_j`; 0 where nothing is conducted.
         pub energy_slope: [N; D],

@@ -8,7 +8,7 @@ use crate::pairs::{Engine, Fields, Settled, holds};
 use crate::scalar::Scalar;
 
 use super::dynamics::GasDynamics;
-use super::energy::{Flow as EnergyFlow, Work};
+use super::energy::{EnergyFlow, PairWork};
 use super::exchange::Extras;
 use super::gradient::{Gradient, GradientNode, GradientSums, divergence};
 use super::options::{EnergyForm, Options, Plain};
@@ -130,7 +130,7 @@ impl<S: Scalar, const D: usize> Physics<S, D> for Options<S, D> {
         match solver.physics.energy {
             EnergyForm::LeapFrog => {}
             EnergyForm::Exact => {
-                let law = Work(solver.motion());
+                let law = PairWork(solver.motion());
                 cloud.engine.evaluate(&law, &cloud.cells, nodes, rates)?;
                 solver.close_work(cloud, rates);
             }

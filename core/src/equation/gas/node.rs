@@ -38,10 +38,10 @@ record! {
         pub compression: N,
         /// [`Motion`](super::motion::Motion): rate of internal energy but for the pressure's part,
         /// `1/2 Σ_l m_k m_l Π_kl (u_k-u_l)·g_kl`, and what is conducted.
-        /// [`Work`](super::energy::Work): rate of internal energy with the velocities of now.
-        /// [`Flow`](super::energy::Flow): rate of total energy.
+        /// [`PairWork`](super::energy::PairWork): rate of internal energy with the velocities of now.
+        /// [`EnergyFlow`](super::energy::EnergyFlow): rate of total energy.
         pub power: N,
-        /// [`Work`](super::energy::Work): what `power` gains in a unit of time while forces do
+        /// [`PairWork`](super::energy::PairWork): what `power` gains in a unit of time while forces do
         /// not change.
         pub power_slope: N,
         /// The fastest approach of a partner, along the line of centres; at least 0.

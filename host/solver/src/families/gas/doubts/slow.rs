@@ -21,7 +21,7 @@ const FELT: f64 = 4.0;
 const NARROW: f64 = 4.5;
 
 /// What the particles are like at t = 0.
-struct Start {
+struct Regime {
     /// The largest difference of a velocity from the mean one.
     speed: f64,
     /// The largest that walls and an acceleration along periodic sides will bring about.
@@ -34,7 +34,7 @@ struct Start {
     density: f64,
 }
 
-impl Start {
+impl Regime {
     fn of(scenario: &Scenario, placed: &[Placed]) -> Self {
         let total = |of: &dyn Fn(&Placed) -> f64| placed.iter().map(of).sum::<f64>();
         let (mass, volume) = (total(&|p| p.mass), total(&|p| p.mass / p.density));
@@ -100,7 +100,7 @@ pub(super) fn solid(scenario: &Scenario, placed: &[Placed]) -> Option<String> {
     if scenario.dimension == 1 || is_wave || !(scenario.diffusion.viscosity > 0.0) {
         return None;
     }
-    let start = Start::of(scenario, placed);
+    let start = Regime::of(scenario, placed);
     let speed = start.speed.max(start.driven);
     let mach = speed / start.sound_speed;
     // Where particles stay beside their neighbours nothing melts.
@@ -163,7 +163,7 @@ pub(super) fn pulled(scenario: &Scenario, placed: &[Placed]) -> Option<String> {
     if !(background > 0.0) {
         return None;
     }
-    let [lowest, mean] = Start::of(scenario, placed).pressures;
+    let [lowest, mean] = Regime::of(scenario, placed).pressures;
     (background > mean).then(|| {
         format!(
             "force.background = {background} is above the mean pressure, {mean:.6}: what is left pulls particles \

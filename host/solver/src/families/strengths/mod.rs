@@ -10,6 +10,7 @@ mod field;
 mod geometry;
 mod growth;
 mod layers;
+mod measures;
 mod memory;
 mod particles;
 mod plan;

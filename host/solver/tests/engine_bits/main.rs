@@ -1,8 +1,11 @@
 //! The plain loop is the definition; the half loop, the lanes and the threads give its bits.
 
+#[path = "../clouds/mod.rs"]
 mod clouds;
+mod engines;
 
 use clouds::{Cloud, Following, sides};
+use engines::AnyEngine;
 use fixed::types::extra::{U19, U32};
 use motes_core::cutoff::Named;
 use motes_core::digest::Digest;
@@ -14,96 +17,10 @@ use motes_core::equation::gas::{
     Diffusion, EnergyForm, NoSlip, Options, Physics, Plain, Switch, Weights, Width,
 };
 use motes_core::error::Error;
-use motes_core::neighbours::Cells;
-use motes_core::pairs::{Engine, Fields, HalfLoop, Law, PlainLoop, Portable, Settled, lanes};
+use motes_core::pairs::Fields;
 use motes_core::scalar::{Micro, Q32, Q64, Scalar};
-use motes_solver::engine::{GrowingList, HostScalar, InstructionSet, Threads};
+use motes_solver::engine::{HostScalar, InstructionSet, Threads};
 use proptest::prelude::*;
-
-/// Lanes without threads, over a few ranges that cut rows anywhere.
-struct LaneLoop {
-    lists: Vec<GrowingList>,
-    fresh: bool,
-    range: usize,
-}
-
-/// Lanes of a block: of a number that divides none of anything.
-const LANES: usize = 3;
-
-impl LaneLoop {
-    fn new(range: usize) -> Self {
-        Self {
-            lists: Vec::new(),
-            fresh: true,
-            range,
-        }
-    }
-
-    fn sweep<S: Scalar, const D: usize, W: Law<S, D>>(
-        &mut self,
-        law: &W,
-        cells: &Cells<'_, S, D>,
-        nodes: &[W::Node],
-        settled: &mut [Settled<W::Node, W::Sums>],
-    ) -> Result<(), Error> {
-        self.lists
-            .resize_with(nodes.len().div_ceil(self.range), GrowingList::default);
-        for (i, (settled, list)) in settled
-            .chunks_mut(self.range)
-            .zip(&mut self.lists)
-            .enumerate()
-        {
-            if self.fresh {
-                list.clear();
-            }
-            let first = i * self.range;
-            let fresh = self.fresh;
-            assert!(lanes::<Portable, S, D, LANES, W>(
-                law, cells, nodes, first, settled, list, fresh
-            ));
-        }
-        self.fresh = false;
-        Ok(())
-    }
-}
-
-/// Any engine, so that the solver is compiled once for all of them.
-///
-/// It goes on where a proof fails. These clouds are wild, and the sums of all options leave formats of
-/// 32 bits; that bits are equal and that sums cancel holds of numbers that wrap, too.
-enum AnyEngine {
-    Plain,
-    Half,
-    Lanes(LaneLoop),
-    Threads(Threads),
-}
-
-impl<S: HostScalar, const D: usize> Engine<S, D> for AnyEngine {
-    fn sorted(&mut self) {
-        match self {
-            Self::Plain | Self::Half => {}
-            Self::Lanes(engine) => engine.fresh = true,
-            Self::Threads(engine) => Engine::<S, D>::sorted(engine),
-        }
-    }
-    fn unproven(&mut self, _: Error) -> Result<(), Error> {
-        Ok(())
-    }
-    fn sweep<W: Law<S, D>>(
-        &mut self,
-        law: &W,
-        cells: &Cells<'_, S, D>,
-        nodes: &[W::Node],
-        settled: &mut [Settled<W::Node, W::Sums>],
-    ) -> Result<(), Error> {
-        match self {
-            Self::Plain => PlainLoop.sweep(law, cells, nodes, settled),
-            Self::Half => HalfLoop.sweep(law, cells, nodes, settled),
-            Self::Lanes(engine) => engine.sweep(law, cells, nodes, settled),
-            Self::Threads(engine) => engine.sweep(law, cells, nodes, settled),
-        }
-    }
-}
 
 /// A law, and the options that its arrays are made for.
 trait Case<S: Scalar, const D: usize>: Physics<S, D> + std::fmt::Debug {
@@ -215,7 +132,7 @@ fn all_engines_agree<S: HostScalar, const D: usize, P: Case<S, D>>(
     let threads = |set| AnyEngine::Threads(Threads::with(2, set).unwrap());
     let mut engines = vec![
         ("half", AnyEngine::Half),
-        ("lanes", AnyEngine::Lanes(LaneLoop::new(37))),
+        ("lanes", AnyEngine::lanes(37)),
         ("threads", threads(InstructionSet::Portable)),
     ];
     // Without lanes an instruction set changes nothing.
@@ -407,7 +324,7 @@ fn a_bad_first_guess_of_epsilon_keeps_the_bits() {
     let run = |mut engine| run(&cloud, &solver, &mut engine, 2).unwrap();
     let plain = run(AnyEngine::Plain);
     assert_eq!(plain, run(AnyEngine::Half));
-    assert_eq!(plain, run(AnyEngine::Lanes(LaneLoop::new(50))));
+    assert_eq!(plain, run(AnyEngine::lanes(50)));
 }
 
 /// Sums up to 0 without being 0.

@@ -6,7 +6,7 @@ mod systems;
 use motes::experiment::Experiment;
 use motes::run::RunError;
 use systems::{
-    assert_same_bits, assert_tolerances, built_in, errors, experiment, run, scenario, stopped,
+    assert_same_bits, assert_tolerances, built_in, errors, experiment, run, scenario, stopped, told,
 };
 
 fn done(name: &str, changes: &[&str]) -> Experiment {
@@ -285,11 +285,7 @@ fn a_wall_follows_a_measured_series() {
 fn a_state_beyond_the_maximum_principle_is_told() {
     let beyond = |name: &str, changes: &[&str]| {
         let experiment = done(name, changes);
-        let warnings = experiment.simulation.warnings(&experiment.outcome);
-        let told = warnings
-            .into_iter()
-            .filter(|text| text.contains("diffusion alone"));
-        told.collect::<Vec<_>>()
+        told(&experiment, "diffusion alone")
     };
     let narrow = ["initial.width=0.01"];
     let mixed = beyond("heat1d", &[&narrow[..], &["system.form=mixed"]].concat());
@@ -316,11 +312,7 @@ fn a_state_beyond_the_maximum_principle_is_told() {
 fn values_of_which_a_format_holds_few_digits_are_told() {
     let told = |name: &str, scalar: &str, changes: &[&str]| {
         let experiment = experiment(scenario(name, changes), scalar, 1).unwrap();
-        let warnings = experiment.simulation.warnings(&experiment.outcome);
-        let told = warnings
-            .into_iter()
-            .filter(|text| text.contains("last place"));
-        told.collect::<Vec<_>>()
+        told(&experiment, "last place")
     };
     let small = told("heat1d", "q15.16", &["initial.amplitude=1e-3"]);
     assert_eq!(small.len(), 1, "{small:?}");

@@ -461,11 +461,7 @@ fn a_doubtful_set_up_comes_with_a_warning() {
 fn particles_that_are_carried_by_few_last_places_are_told() {
     let told = |scalar: &str, changes: &[&str]| {
         let experiment = experiment(scenario("acoustics1d", changes), scalar, 1).unwrap();
-        let warnings = experiment.simulation.warnings(&experiment.outcome);
-        let told = warnings
-            .into_iter()
-            .filter(|text| text.contains("last place"));
-        told.collect::<Vec<_>>()
+        systems::told(&experiment, "last place")
     };
     let slow = ["motion={kind=\"uniform\", velocity=[1e-6]}"];
     let still = told("q15.16", &slow);

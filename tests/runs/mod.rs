@@ -27,6 +27,13 @@ impl Run {
     }
 }
 
+/// What is told of a run in such words.
+pub fn told(experiment: &Experiment, words: &str) -> Vec<String> {
+    let warnings = experiment.simulation.warnings(&experiment.outcome);
+    let told = warnings.into_iter().filter(|text| text.contains(words));
+    told.collect()
+}
+
 /// A particle of a gas.
 #[derive(Clone, Copy, Debug)]
 pub struct Particle {

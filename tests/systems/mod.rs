@@ -3,6 +3,7 @@
 
 #[path = "../runs/mod.rs"]
 mod runs;
+pub use runs::told;
 
 use std::collections::BTreeMap;
 

@@ -197,20 +197,9 @@ fn panels(experiment: &Experiment) -> Vec<Panel> {
         Abscissa::Along(axis) => (window.lower[axis], window.upper[axis]),
         Abscissa::From(_) => (0.0, along(abscissa, &furthest)),
     };
-    // The fields of the curve, one after the other.
-    let mut curves: Vec<Vec<(f64, Vec<f64>)>> = vec![Vec::new(); fields.len()];
-    if let Some(exact) = &experiment.exact {
-        for i in 0..=POINTS {
-            let x = lower + (upper - lower) * i as f64 / POINTS as f64;
-            let state = exact.at(point(abscissa, x, middle, furthest), time);
-            let mut rest = &state[..];
-            for (field, curve) in fields.iter().zip(&mut curves) {
-                let (values, after) = rest.split_at(field.components);
-                rest = after;
-                curve.push((x, values.to_vec()));
-            }
-        }
-    }
+    let curves = curves(experiment, &fields, (lower, upper), |x| {
+        point(abscissa, x, middle, furthest)
+    });
     let parts = fields.iter().zip(&curves);
     let parts: Vec<Part> = parts
         .map(|(field, curve)| Part::of(field, abscissa, curve))
@@ -248,6 +237,31 @@ fn panels(experiment: &Experiment) -> Vec<Panel> {
         }
     }
     panels
+}
+
+/// The exact solution of each field between two values of the abscissa, as all its components; empty
+/// without one.
+fn curves(
+    experiment: &Experiment,
+    fields: &[&Field],
+    (lower, upper): (f64, f64),
+    place: impl Fn(f64) -> [f64; 3],
+) -> Vec<Vec<(f64, Vec<f64>)>> {
+    let mut curves = vec![Vec::new(); fields.len()];
+    let Some(exact) = &experiment.exact else {
+        return curves;
+    };
+    for i in 0..=POINTS {
+        let x = lower + (upper - lower) * i as f64 / POINTS as f64;
+        let state = exact.at(place(x), experiment.outcome.time);
+        let mut rest = &state[..];
+        for (field, curve) in fields.iter().zip(&mut curves) {
+            let (values, after) = rest.split_at(field.components);
+            rest = after;
+            curve.push((x, values.to_vec()));
+        }
+    }
+    curves
 }
 
 /// Maps of the first fields over the window.

@@ -128,9 +128,9 @@ impl Part {
 /// Whether a solution changes across the abscissa: what lies away from its curve says nothing of it then.
 fn varies_across(
     exact: &dyn Solution,
+    fields: &[&Field],
     (window, dimension): (&Extent, usize),
-    abscissa: Abscissa,
-    time: f64,
+    (abscissa, time): (Abscissa, f64),
 ) -> bool {
     const LINES: usize = 8;
     let Abscissa::Along(axis) = abscissa else {
@@ -141,7 +141,8 @@ fn varies_across(
         let share = (part as f64 + 0.5) / LINES as f64;
         window.lower[i] + share * (window.upper[i] - window.lower[i])
     };
-    let (mut largest, mut off) = (0.0f64, 0.0f64);
+    // Each field has a unit of its own; the components of one share it.
+    let (mut largest, mut off) = (vec![0.0f64; fields.len()], vec![0.0f64; fields.len()]);
     for along in 0..LINES {
         let mut on: [f64; 3] = middle;
         on[axis] = inside(axis, along);
@@ -150,14 +151,21 @@ fn varies_across(
             for line in 0..LINES {
                 let mut beside = on;
                 beside[other] = inside(other, line);
-                for (a, b) in exact.at(beside, time).iter().zip(&right) {
-                    off = off.max((a - b).abs());
-                    largest = largest.max(b.abs());
+                let found = exact.at(beside, time);
+                let mut first = 0;
+                for (i, field) in fields.iter().enumerate() {
+                    for j in first..first + field.components {
+                        largest[i] = largest[i].max(right[j].abs());
+                        off[i] = off[i].max((found[j] - right[j]).abs());
+                    }
+                    first += field.components;
                 }
             }
         }
     }
-    off > 1e-3 * largest
+    off.iter()
+        .zip(&largest)
+        .any(|(off, largest)| *off > 1e-3 * largest)
 }
 
 /// A panel for each field over the window: particles as points, the exact solution as a curve.
@@ -175,7 +183,7 @@ fn panels(experiment: &Experiment) -> Vec<Panel> {
     let time = experiment.outcome.time;
     let beside = experiment.exact.as_deref().filter(|exact| {
         let room = (window, description.dimension);
-        varies_across(*exact, room, abscissa, time)
+        varies_across(*exact, &fields, room, (abscissa, time))
     });
     let half_width = half_width.or(beside.map(|_| 0.5 * description.spacing));
     let is_near = |row: &Row| {

@@ -1,0 +1,140 @@
+//! Elementary functions: names, values, derivatives.
+
+/// A function of one number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum Function {
+    Abs,
+    Acos,
+    Asin,
+    Atan,
+    Cbrt,
+    Ceil,
+    Cos,
+    Cosh,
+    Erf,
+    Exp,
+    Floor,
+    Log,
+    Log10,
+    Sign,
+    Sin,
+    Sinh,
+    Sqrt,
+    Tan,
+    Tanh,
+}
+
+/// The functions by name.
+pub(crate) const FUNCTIONS: [(&str, Function); 19] = [
+    ("abs", Function::Abs),
+    ("acos", Function::Acos),
+    ("asin", Function::Asin),
+    ("atan", Function::Atan),
+    ("cbrt", Function::Cbrt),
+    ("ceil", Function::Ceil),
+    ("cos", Function::Cos),
+    ("cosh", Function::Cosh),
+    ("erf", Function::Erf),
+    ("exp", Function::Exp),
+    ("floor", Function::Floor),
+    ("log", Function::Log),
+    ("log10", Function::Log10),
+    ("sign", Function::Sign),
+    ("sin", Function::Sin),
+    ("sinh", Function::Sinh),
+    ("sqrt", Function::Sqrt),
+    ("tan", Function::Tan),
+    ("tanh", Function::Tanh),
+];
+
+impl Function {
+    /// Its value. `sqrt` is that of IEEE 754, all others are `libm`'s.
+    pub fn of(self, a: f64) -> f64 {
+        match self {
+            Self::Abs => a.abs(),
+            Self::Acos => libm::acos(a),
+            Self::Asin => libm::asin(a),
+            Self::Atan => libm::atan(a),
+            Self::Cbrt => libm::cbrt(a),
+            Self::Ceil => libm::ceil(a),
+            Self::Cos => libm::cos(a),
+            Self::Cosh => libm::cosh(a),
+            Self::Erf => libm::erf(a),
+            Self::Exp => libm::exp(a),
+            Self::Floor => libm::floor(a),
+            Self::Log => libm::log(a),
+            Self::Log10 => libm::log10(a),
+            // 0 at 0, where `signum` is 1.
+            Self::Sign => f64::from(i8::from(a > 0.0) - i8::from(a < 0.0)),
+            Self::Sin => libm::sin(a),
+            Self::Sinh => libm::sinh(a),
+            Self::Sqrt => a.sqrt(),
+            Self::Tan => libm::tan(a),
+            Self::Tanh => libm::tanh(a),
+        }
+    }
+}
+
+/// A function of two numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum Binary {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+    Remainder,
+    Minimum,
+    Maximum,
+    Atan2,
+    Less,
+    LessOrEqual,
+    Equal,
+}
+
+/// The functions of two numbers that are called by name.
+pub(crate) const BINARY: [(&str, Binary); 3] = [
+    ("atan2", Binary::Atan2),
+    ("max", Binary::Maximum),
+    ("min", Binary::Minimum),
+];
+
+impl Binary {
+    /// Its value; of a comparison 1 where it holds, else 0.
+    pub fn of(self, a: f64, b: f64) -> f64 {
+        let truth = |holds: bool| f64::from(u8::from(holds));
+        match self {
+            Self::Add => a + b,
+            Self::Subtract => a - b,
+            Self::Multiply => a * b,
+            Self::Divide => a / b,
+            Self::Power => power(a, b),
+            // Of the sign of b, so that it is periodic: `x % 1` is a saw.
+            Self::Remainder => a - b * libm::floor(a / b),
+            // A NaN is kept: `f64::min` would hide it.
+            Self::Minimum if a.is_nan() || a < b => a,
+            Self::Maximum if a.is_nan() || a > b => a,
+            Self::Minimum | Self::Maximum => b,
+            Self::Atan2 => libm::atan2(a, b),
+            Self::Less => truth(a < b),
+            Self::LessOrEqual => truth(a <= b),
+            Self::Equal => truth(a == b),
+        }
+    }
+}
+
+/// `a^b`: a whole exponent up to 64 is multiplied out.
+fn power(a: f64, b: f64) -> f64 {
+    if !(b.abs() <= 64.0 && b == libm::floor(b)) {
+        return libm::pow(a, b);
+    }
+    let (mut product, mut square, mut left) = (1.0, a, b.abs() as u32);
+    while left > 0 {
+        if left % 2 == 1 {
+            product *= square;
+        }
+        square *= square;
+        left /= 2;
+    }
+    if b < 0.0 { 1.0 / product } else { product }
+}

@@ -1,0 +1,3 @@
+mod derivatives;
+mod errors;
+mod values;

@@ -32,34 +32,34 @@ scalars! {
     F32, "f32", "IEEE single precision", motes_f32::F32, motes_f32::F32;
     #[cfg(feature = "fixed-point")]
     Micromath, "micromath", "f32 with approximate square roots",
-        motes_fixed::MICROMATH, motes_fixed::MICROMATH;
+        motes_micromath::MICROMATH, motes_micromath::MICROMATH;
     #[cfg(feature = "every-scalar")]
     Q9p22, "q9.22", "32-bit fixed point, 22 fractional bits",
-        motes_fixed::Q9P22, motes_checked::Q9P22;
+        motes_fixed32::Q9P22, motes_checked::Q9P22;
     #[cfg(feature = "every-scalar")]
     Q11p20, "q11.20", "32-bit fixed point, 20 fractional bits",
-        motes_fixed::Q11P20, motes_checked::Q11P20;
+        motes_fixed32::Q11P20, motes_checked::Q11P20;
     #[cfg(feature = "fixed-point")]
     Q12p19, "q12.19", "32-bit fixed point, 19 fractional bits",
-        motes_fixed::Q12P19, motes_checked::Q12P19;
+        motes_fixed32::Q12P19, motes_checked::Q12P19;
     #[cfg(feature = "every-scalar")]
     Q13p18, "q13.18", "32-bit fixed point, 18 fractional bits",
-        motes_fixed::Q13P18, motes_checked::Q13P18;
+        motes_fixed32::Q13P18, motes_checked::Q13P18;
     #[cfg(feature = "fixed-point")]
     Q15p16, "q15.16", "32-bit fixed point, 16 fractional bits",
-        motes_fixed::Q15P16, motes_checked::Q15P16;
+        motes_fixed32::Q15P16, motes_checked::Q15P16;
     #[cfg(feature = "every-scalar")]
     Q19p12, "q19.12", "32-bit fixed point, 12 fractional bits",
-        motes_fixed::Q19P12, motes_checked::Q19P12;
+        motes_fixed32::Q19P12, motes_checked::Q19P12;
     #[cfg(feature = "every-scalar")]
     Q15p48, "q15.48", "64-bit fixed point, 48 fractional bits",
-        motes_fixed::Q15P48, motes_checked::Q15P48;
+        motes_fixed64::Q15P48, motes_checked::Q15P48;
     #[cfg(feature = "every-scalar")]
     Q23p40, "q23.40", "64-bit fixed point, 40 fractional bits",
-        motes_fixed::Q23P40, motes_checked::Q23P40;
+        motes_fixed64::Q23P40, motes_checked::Q23P40;
     #[cfg(feature = "fixed-point")]
     Q31p32, "q31.32", "64-bit fixed point, 32 fractional bits",
-        motes_fixed::Q31P32, motes_checked::Q31P32;
+        motes_fixed64::Q31P32, motes_checked::Q31P32;
 }
 
 /// A name that no scalar has.

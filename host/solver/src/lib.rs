@@ -1,7 +1,7 @@
 //! From a scenario to its result: set-up, run, exact solution, comparison.
 //!
-//! All of it is generic over the scalar, and none of it is compiled for one: `motes-f64`,
-//! `motes-f32`, `motes-fixed` and `motes-checked` do that, side by side, each through [`compiled`].
+//! All of it is generic over the scalar, and none of it is compiled for one: the crates of
+//! `host/compiled` do that, side by side, each through [`compiled`].
 
 pub mod compiled;
 pub mod engine;

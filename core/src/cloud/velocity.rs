@@ -6,7 +6,7 @@ use crate::scalar::{Scalar, cosine_of_turns, sine_of_turns};
 use super::place::Place;
 
 /// A velocity field. Positions are the solver's: the middle of the domain is 0.
-pub trait VelocityField<S: Scalar, const D: usize>: Copy + Sync {
+pub trait VelocityField<S: Scalar, const D: usize>: Sync {
     /// `a(x,t)`.
     fn velocity(&self, place: &Place<S, D>) -> [S; D];
     /// `div a(x,t)`.

@@ -40,6 +40,11 @@ impl Formula {
         &self.text
     }
 
+    /// What it does, the last one last.
+    pub(crate) fn operations(&self) -> &[Operation] {
+        &self.operations
+    }
+
     /// Its value, if it is the same everywhere.
     pub fn value(&self) -> Option<f64> {
         match self.operations[..] {

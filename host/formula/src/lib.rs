@@ -36,11 +36,13 @@
 //! | `parser` | signs and names to operations, by precedence |
 //! | `scope` | the names that a formula may use: variables, definitions |
 //! | `graph` | operations, each once, simplified where that is exact |
+//! | `algebra` | formulas made of formulas |
 //! | `derivative` | the derivative of a list of operations |
 //! | `function` | elementary functions: values and derivatives |
 //! | `formula` | a finished formula: evaluation |
 //! | `error` | what is wrong, where, and the cure |
 
+mod algebra;
 mod derivative;
 mod error;
 mod formula;
@@ -54,4 +56,4 @@ mod token;
 
 pub use error::{FormulaError, FormulaFault};
 pub use formula::Formula;
-pub use scope::Scope;
+pub use scope::{Scope, is_name};

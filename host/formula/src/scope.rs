@@ -30,7 +30,8 @@ pub(crate) const PI: &str = "pi";
 pub(crate) const IF: &str = "if";
 
 impl Scope {
-    /// A scope of variables, in the order in which evaluations give their values.
+    /// A scope of variables, in the order in which evaluations give their values. An empty name keeps
+    /// a place in that order for a value that no formula may use.
     pub fn new<'n>(variables: impl IntoIterator<Item = &'n str>) -> Self {
         Self {
             variables: variables.into_iter().map(str::to_owned).collect(),
@@ -99,6 +100,11 @@ impl Scope {
         }
     }
 
+    /// Whether a variable or a definition has that name.
+    pub fn has(&self, name: &str) -> bool {
+        self.variables.iter().any(|of| of == name) || self.definitions.contains_key(name)
+    }
+
     /// That every definition can be read, used or not.
     ///
     /// # Errors
@@ -136,7 +142,8 @@ impl Scope {
                     Some(_) => format!("{name}()"),
                     None => name.clone(),
                 });
-        let mut names: Vec<String> = self.variables.iter().cloned().chain(defined).collect();
+        let variables = self.variables.iter().filter(|name| !name.is_empty());
+        let mut names: Vec<String> = variables.cloned().chain(defined).collect();
         names.push(PI.to_owned());
         let functions = FUNCTIONS
             .iter()
@@ -147,6 +154,7 @@ impl Scope {
     }
 }
 
-fn is_name(name: &str) -> bool {
+/// Whether a variable or a definition may be called so.
+pub fn is_name(name: &str) -> bool {
     name.starts_with(is_letter) && name.chars().all(|c| is_letter(c) || c.is_ascii_digit())
 }

@@ -30,8 +30,8 @@ impl Run {
 /// What is told of a run in such words.
 pub fn told(experiment: &Experiment, words: &str) -> Vec<String> {
     let warnings = experiment.simulation.warnings(&experiment.outcome);
-    let told = warnings.into_iter().filter(|text| text.contains(words));
-    told.collect()
+    let all = warnings.into_iter().chain(experiment.doubts.clone());
+    all.filter(|text| text.contains(words)).collect()
 }
 
 /// A particle of a gas.

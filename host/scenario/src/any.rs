@@ -152,7 +152,7 @@ impl AnyScenario {
     pub fn has_exact(&self) -> bool {
         match self {
             Self::Gas(scenario) => scenario.output.exact.is_some(),
-            Self::Linear(scenario) => scenario.output.exact,
+            Self::Linear(scenario) => scenario.output.exact.is_some(),
         }
     }
 

@@ -31,6 +31,7 @@ built_in! {
     "toro5" 3.0
     "noh1d" 0.1
     "woodward-colella" 5.0
+    "shu-osher" 8.0
     "sound-wave" 0.1
     "two-gas-sod" 0.1
     "water-air" 0.6
@@ -58,12 +59,14 @@ built_in! {
     "transport-shear" 0.5
     "transport-compression" 0.5
     "transport-mesh" 6.0
+    "manufactured" 1.0
     "shallow-water" 1.0
     "maxwell-te" 1.0
     "elastic-waves" 2.0
     "linearised-gas" 1.0
     "heat1d" 0.1
     "heat2d" 0.7
+    "unsteady-diffusion" 1.0
     "heat3d" 30.0
     "rotating-gaussian" 1.0
     "shear-gaussian" 0.7

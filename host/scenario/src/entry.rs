@@ -87,6 +87,16 @@ impl<'a> Entry<'a> {
         })
     }
 
+    /// Whether it is text.
+    pub fn is_text(&self) -> bool {
+        matches!(self.value.get_ref(), DeValue::String(_))
+    }
+
+    /// Whether it is a list.
+    pub fn is_list(&self) -> bool {
+        matches!(self.value.get_ref(), DeValue::Array(_))
+    }
+
     /// Whether it is a section or a table in braces.
     pub fn is_section(&self) -> bool {
         matches!(self.value.get_ref(), DeValue::Table(_))

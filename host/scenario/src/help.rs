@@ -1,5 +1,7 @@
 //! The cure of each problem.
 
+use motes_formula::FormulaFault;
+
 use crate::keys::Family;
 use crate::nearest::nearest;
 use crate::problem::{Problem, within};
@@ -132,6 +134,13 @@ impl Problem {
             Self::Width { both: false } => "add `eta = 1.2` (width in mean spacings, adapts to \
                  the density) or `epsilon = 0.01` (constant width, a length)"
                 .to_owned(),
+            Self::Formula { fault, .. } => match fault {
+                FormulaFault::Unknown { name, known } => {
+                    let plain = known.iter().map(|name| name.trim_end_matches("()"));
+                    format!("{}{}", did_you_mean(name, plain), fault.help())
+                }
+                _ => fault.help(),
+            },
             Self::DoesNotFit { cure, .. } | Self::Table { cure, .. } => cure.clone(),
             Self::Gas { both: true } => "keep one: [profile], or every [[region]]".to_owned(),
             Self::Gas { both: false } => "add a [[region]] with lower, upper, density, velocity \

@@ -42,6 +42,7 @@
 //! | `set`, `edit` | `--set section.key=value`, made in the text |
 //! | `keys` | the one list of sections and keys, which reading, `--set` and messages share |
 //! | `section`, `entry`, `bound` | typed values out of a parsed document, each with its place |
+//! | `define` | constants and functions of the user, for formulas |
 //! | `check` | from a source to a scenario |
 //! | `heading`, `domain`, `geometry`, `resolution`, `cut_off`, `output`, `tolerance` | the sections that every scenario has |
 //! | [`gas`] | the sections of a gas |
@@ -55,6 +56,7 @@ mod bound;
 mod builtin;
 mod check;
 mod cut_off;
+mod define;
 mod document;
 mod domain;
 mod edit;
@@ -89,11 +91,12 @@ pub use error::ScenarioError;
 pub use gas::{
     Anchor, Arrangement, Deposit, Diffusion, EnergyRule, EquationOfState, Exact, GradientKind,
     Inflow, Material, NoSlipWalls, Outflow, Output, Profile, Region, Resolution, Ring, Scenario,
-    Share, Switch, Time, Viscosity, ViscosityKind, Weights,
+    Share, StateFormulas, Switch, Time, Viscosity, ViscosityKind, Weights,
 };
 pub use heading::Units;
 pub use keys::Family;
 pub use linear::LinearScenario;
+pub use motes_formula as formula;
 pub use output::{Interval, SnapshotFormat, Snapshots};
 pub use problem::Problem;
 pub use snippet::{shortened, shortened_sentence};

@@ -4,7 +4,8 @@
 /// at most one edit in three characters, `_` and `-` and case being equal.
 pub(super) fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let folded = fold(name);
-    let slips = (folded.len() / 3).max(1);
+    // Every letter is one slip from every other.
+    let slips = (folded.len() / 3).max(usize::from(folded.len() > 1));
     known
         .into_iter()
         .map(|candidate| (edits(&folded, &fold(candidate)), candidate))
@@ -53,5 +54,7 @@ mod tests {
             Some("equation-of-state")
         );
         assert_eq!(nearest("density", known), None);
+        assert_eq!(nearest("q", ["x", "y"]), None);
+        assert_eq!(nearest("X", ["x", "y"]), Some("x"));
     }
 }

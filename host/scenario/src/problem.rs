@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use motes_formula::FormulaFault;
 use thiserror::Error;
 
 use crate::keys::{Family, LISTS};
@@ -140,6 +141,13 @@ pub enum Problem {
     /// A heading or a row of a file that the scenario names.
     #[error("{message}")]
     Table { message: String, cure: String },
+    /// A formula that cannot be read.
+    #[error("{key} = {text}: {fault}")]
+    Formula {
+        key: String,
+        text: String,
+        fault: FormulaFault,
+    },
     /// A value that does not go with the rest of the scenario.
     #[error("{key} = {value} does not fit: {reason}")]
     DoesNotFit {

@@ -72,6 +72,14 @@ impl<'a> Section<'a> {
         })
     }
 
+    /// All keys with their values, in the order of the text.
+    pub fn entries(&self) -> Vec<(String, Entry<'a>)> {
+        let mut keys: Vec<_> = self.table.keys().collect();
+        keys.sort_by_key(|key| key.span().start);
+        let entry = |key: &str| self.optional(key).map(|entry| (key.to_owned(), entry));
+        keys.iter().filter_map(|key| entry(key.get_ref())).collect()
+    }
+
     /// The value of a key, or the error that it is missing.
     pub fn required(&self, key: &'static str) -> Result<Entry<'a>, Fault> {
         self.optional(key).ok_or_else(|| self.missing(key))

@@ -104,7 +104,7 @@ impl<'a> Change<'a> {
             }
             let inner = keys::path(&section, key);
             let is_last = keys.clone().next().is_none();
-            let is_whole = is_last && self.value.is_whole();
+            let is_whole = is_last && (self.value.is_whole() || keys::is_either(&inner));
             if keys::keys_of(self.family, &inner).is_empty() || is_whole {
                 return match keys.next() {
                     None => self.put(&way, key).ok_or_else(|| {

@@ -3,6 +3,7 @@
 use crate::exact::channel::{ChannelFlow, ChannelProblem};
 use crate::exact::finite_volume::{Ends, FiniteVolume, Grid};
 use crate::exact::flow::{Flow, FlowError, FlowState};
+use crate::exact::formula::FormulaFlow;
 use crate::exact::gresho::GreshoProblem;
 use crate::exact::kelvin_helmholtz;
 use crate::exact::moving_centre::MovingCentre;
@@ -10,7 +11,7 @@ use crate::exact::noh::NohProblem;
 use crate::exact::sound_wave::SoundWaveProblem;
 use crate::exact::taylor_green::TaylorGreenProblem;
 use crate::exact::yee_vortex::YeeVortexProblem;
-use crate::scenario::{EquationOfState, Profile, Scenario, Side};
+use crate::scenario::{EquationOfState, Profile, Scenario, Side, StateFormulas};
 
 /// The flow that a profile begins, known at all times; `None` where only its beginning is.
 ///
@@ -79,7 +80,7 @@ pub fn profile_flow(scenario: &Scenario) -> Result<Option<Box<dyn Flow>>, FlowEr
             }
             .solve()?,
         )),
-        Profile::KelvinHelmholtz => None,
+        Profile::KelvinHelmholtz | Profile::Formula(_) => None,
         &Profile::TaylorGreen {
             density,
             speed,
@@ -130,6 +131,14 @@ pub fn channel_flow(scenario: &Scenario) -> Result<Option<ChannelFlow>, FlowErro
     problem.solve().map(Some)
 }
 
+/// A gas whose state is given as formulas.
+pub fn formula_flow(scenario: &Scenario, state: &StateFormulas) -> FormulaFlow {
+    FormulaFlow {
+        state: state.clone(),
+        law: scenario.materials[0].law,
+    }
+}
+
 /// A state of gas as a function of the place.
 pub type Field = Box<dyn Fn([f64; 3]) -> FlowState>;
 
@@ -140,10 +149,47 @@ pub type Field = Box<dyn Fn([f64; 3]) -> FlowState>;
 pub fn initial(scenario: &Scenario) -> Result<Option<Field>, FlowError> {
     Ok(match &scenario.profile {
         None => None,
+        Some(Profile::Formula(state)) => {
+            let flow = formula_flow(scenario, state);
+            Some(Box::new(move |position| flow.at(position, 0.0)))
+        }
         Some(Profile::KelvinHelmholtz) => Some(Box::new(kelvin_helmholtz::initial)),
         Some(_) => profile_flow(scenario)?
             .map(|flow| -> Field { Box::new(move |position| flow.at(position, 0.0)) }),
     })
+}
+
+/// What a scenario is at t = 0: its profile, or its regions.
+///
+/// # Errors
+/// Numbers for which the flow does not exist.
+pub fn start(scenario: &Scenario) -> Result<Field, FlowError> {
+    if let Some(profile) = initial(scenario)? {
+        return Ok(profile);
+    }
+    let regions = scenario.regions.clone();
+    let laws: Vec<EquationOfState> = scenario.materials.iter().map(|of| of.law).collect();
+    Ok(Box::new(move |position| {
+        let holds = |region: &&crate::scenario::Region| {
+            (region.extent.lower[0]..=region.extent.upper[0]).contains(&position[0])
+        };
+        // Balls lie on top of boxes, later ones over earlier ones.
+        let ball = regions.iter().rev().find(|r| r.ball.is_some() && holds(r));
+        match ball.or_else(|| regions.iter().find(holds)) {
+            Some(region) => FlowState {
+                density: region.density,
+                velocity: [region.velocity[0], 0.0, 0.0],
+                pressure: region.pressure,
+                energy: laws[region.material].energy(region.density, region.pressure),
+            },
+            None => FlowState {
+                density: 0.0,
+                velocity: [0.0; 3],
+                pressure: 0.0,
+                energy: 0.0,
+            },
+        }
+    }))
 }
 
 /// Cells of the reference solution: its error at a jump is far below that of particles.
@@ -171,24 +217,7 @@ pub fn reference(
             _ => Ends::Transmissive,
         },
     };
-    let start: Field = match initial(scenario)? {
-        Some(profile) => profile,
-        None => {
-            let regions = scenario.regions.clone();
-            Box::new(move |position| {
-                let holds = |region: &&crate::scenario::Region| {
-                    (region.extent.lower[0]..=region.extent.upper[0]).contains(&position[0])
-                };
-                // Balls lie on top of boxes, later ones over earlier ones.
-                let ball = regions.iter().rev().find(|r| r.ball.is_some() && holds(r));
-                let region = ball.or_else(|| regions.iter().find(holds));
-                region.map_or(FlowState::ideal(0.0, [0.0; 3], 0.0, gamma), |region| {
-                    let velocity = [region.velocity[0], 0.0, 0.0];
-                    FlowState::ideal(region.density, velocity, region.pressure, gamma)
-                })
-            })
-        }
-    };
+    let start = start(scenario)?;
     let flow = FiniteVolume::new(grid, gamma, |x| start([x, 0.0, 0.0]))?;
     flow.run_to_watched(scenario.time.end, progress)
 }

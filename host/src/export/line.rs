@@ -6,7 +6,7 @@ use motes_core::equation::linear::NamedField;
 use motes_core::equation::linear::systems::Units;
 
 use super::one_line;
-use crate::families::strengths::Plan;
+use crate::families::strengths::{Plan, RunField};
 use crate::scenario::linear::System;
 
 /// A linear scenario that a device cannot be given as a line.
@@ -42,7 +42,7 @@ pub(super) fn line(name: &str, plan: &Plan, command: &str) -> Result<String, NoL
         system: plan.system.name(),
         dimension: plan.dimension,
     };
-    let (Some(system), Some(motion)) = (system(plan), motion(plan)) else {
+    let (Some(system), Some(motion), None) = (system(plan), motion(plan), &plan.source) else {
         return Err(refused());
     };
     let particles = plan.weights.len();
@@ -188,7 +188,10 @@ fn system(plan: &Plan) -> Option<Constructor> {
 /// What the particles follow, where it is of one dimension. The numbers are those that a run
 /// rounds to its scalar.
 pub(super) fn motion(plan: &Plan) -> Option<Constructor> {
-    let (name, types, fields) = match plan.motion::<f64, 1>() {
+    let RunField::Named(field) = plan.motion::<f64, 1>() else {
+        return None;
+    };
+    let (name, types, fields) = match field {
         NamedField::Still => return Some(still()),
         NamedField::Uniform(field) => (
             "Uniform",

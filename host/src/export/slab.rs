@@ -12,7 +12,10 @@ use motes_core::neighbours::{Grid, cell_bound};
 use super::line::{Constructor, motion};
 use super::one_line;
 use crate::families::strengths::Plan;
-use crate::scenario::linear::{ConvectionDiffusion, Form, Mean as MeanName, Method};
+use crate::scenario::linear::{
+    Conductor as ConductorName, ConvectionDiffusion, Form, Mean as MeanName, Method,
+    Reaction as ReactionName,
+};
 
 /// A scenario of convection-diffusion that a device cannot be given as a slab.
 #[derive(Debug, thiserror::Error, miette::Diagnostic)]
@@ -51,7 +54,7 @@ pub(super) fn slab(
     let slab = Slab {
         half_length: plan.axes[0].upper,
         sides: plan.axes[0].sides,
-        problem: plan.problem(of, &media),
+        problem: plan.named_problem(of, &media),
         mean: match of.mean {
             MeanName::Arithmetic => Mean::Arithmetic,
             MeanName::Harmonic => Mean::Harmonic,
@@ -80,6 +83,11 @@ fn obstacle(plan: &Plan, of: &ConvectionDiffusion) -> Option<String> {
     }
     if of.species.len() != 1 {
         return Some(format!("it has {} species", of.species.len()));
+    }
+    let is_formula = matches!(of.profile, ConductorName::Formula { .. })
+        || matches!(of.reaction, ReactionName::Formula { .. });
+    if is_formula {
+        return Some("its diffusivity or reaction is a formula".to_owned());
     }
     if of.form == Form::Mixed {
         return Some("its form is mixed".to_owned());

@@ -120,6 +120,7 @@ pub const CASES: &[Case] = &[
         &[EXACT_ENERGY],
     ),
     plain("woodward-colella", 1),
+    plain("shu-osher", 1),
     with(
         Case {
             unfit: &[("f32", FAINT), ("q12.19", FAINT)],
@@ -229,11 +230,13 @@ pub const CASES: &[Case] = &[
     strengths("transport-shear", 2),
     strengths("transport-compression", 2),
     strengths("transport-mesh", 2),
+    strengths("manufactured", 2),
     strengths("shallow-water", 2),
     strengths("maxwell-te", 2),
     strengths("elastic-waves", 2),
     strengths("linearised-gas", 2),
     strengths("heat2d", 2),
+    strengths("unsteady-diffusion", 2),
     strengths("rotating-gaussian", 2),
     strengths("shear-gaussian", 2),
     strengths("acoustics3d", 3),

@@ -10,6 +10,7 @@ mod region;
 mod resolution;
 mod wall;
 
+use crate::define::Definitions;
 use crate::domain::Domain;
 use crate::error::{Fault, ScenarioError};
 use crate::files::Files;
@@ -27,7 +28,7 @@ pub use method::{
 };
 pub use outflow::Outflow;
 pub use output::{Exact, Output, Ring};
-pub use profile::Profile;
+pub use profile::{Profile, StateFormulas};
 pub use region::{Deposit, Region};
 pub use resolution::{Anchor, Arrangement, Resolution, Share};
 pub use wall::NoSlipWalls;
@@ -158,7 +159,8 @@ pub(super) fn scenario(
     let heading = heading::heading(root)?;
     let (dimension, domain) = (heading.dimension, heading.domain);
     let force = method::force(root, &domain)?;
-    let gas = state(root, &domain)?;
+    let definitions = Definitions::of(root, dimension)?;
+    let gas = state(root, &domain, &definitions)?;
     let resolution = resolution::resolution(
         &section("resolution")?,
         files.folder(),
@@ -170,7 +172,7 @@ pub(super) fn scenario(
     if !described && !matches!(resolution.arrangement, Arrangement::File(_)) {
         return Err(Fault::new(Problem::Gas { both: false }, root.span()));
     }
-    let output = output::output(root, &domain.extent, &gas)?;
+    let output = output::output(root, &domain.extent, &gas, &definitions)?;
     inflow::check_output(root, &domain, &output)?;
     let diffusion = method::diffusion(root)?;
     let scenario = Scenario {
@@ -206,7 +208,7 @@ pub(super) fn scenario(
 }
 
 /// What there is at t = 0.
-fn state(root: &Section<'_>, domain: &Domain) -> Result<Gas, Fault> {
+fn state(root: &Section<'_>, domain: &Domain, definitions: &Definitions<'_>) -> Result<Gas, Fault> {
     let materials = material::materials(root)?;
     let (region, profile) = (root.optional("region"), root.optional("profile"));
     if let (Some(_), Some(profile)) = (&region, &profile) {
@@ -218,7 +220,7 @@ fn state(root: &Section<'_>, domain: &Domain) -> Result<Gas, Fault> {
             None => Vec::new(),
         },
         profile: match profile {
-            Some(entry) => Some(profile::profile(&entry, domain, &materials)?),
+            Some(entry) => Some(profile::profile(&entry, domain, &materials, definitions)?),
             None => None,
         },
         deposits: region::deposits(root, &domain.extent, &materials)?,

@@ -2,12 +2,14 @@
 
 use crate::Extent;
 use crate::bound::{NOT_NEGATIVE, POSITIVE};
+use crate::define::Definitions;
 use crate::error::Fault;
 use crate::output::{DEFAULT_SAMPLES, Snapshots, exact_times, samples, snapshots, window};
 use crate::section::Section;
 
 use super::Gas;
 use super::material::EquationOfState;
+use super::profile::{StateFormulas, state_formulas};
 use super::region::riemann_direction;
 
 /// What is written and measured.
@@ -19,6 +21,8 @@ pub struct Output {
     pub samples: usize,
     /// The exact solution to compare with.
     pub exact: Option<Exact>,
+    /// Those of [`Exact::Formula`].
+    pub formulas: Option<StateFormulas>,
     /// Where in the window errors are measured, if not everywhere.
     pub ring: Option<Ring>,
     /// States on the way, if any are written.
@@ -41,6 +45,8 @@ pub enum Exact {
     Reference,
     /// Viscous flow between two walls that the gas sticks to, from a uniform start.
     Channel,
+    /// What formulas of place and time say: [`Output::formulas`].
+    Formula,
 }
 
 /// The points at a distance in `[inner, outer]` from a centre.
@@ -63,11 +69,17 @@ const EXACT: &[(&str, Exact)] = &[
 ];
 
 /// `[output]`.
-pub(super) fn output(root: &Section<'_>, domain: &Extent, gas: &Gas) -> Result<Output, Fault> {
+pub(super) fn output(
+    root: &Section<'_>,
+    domain: &Extent,
+    gas: &Gas,
+    definitions: &Definitions<'_>,
+) -> Result<Output, Fault> {
     let mut output = Output {
         window: domain.clone(),
         samples: DEFAULT_SAMPLES,
         exact: None,
+        formulas: None,
         ring: None,
         snapshots: None,
         exact_times: false,
@@ -80,7 +92,14 @@ pub(super) fn output(root: &Section<'_>, domain: &Extent, gas: &Gas) -> Result<O
     output.samples = samples(&section)?;
     output.snapshots = snapshots(&section)?;
     output.exact_times = exact_times(&section)?;
-    if let Some(entry) = section.optional("exact") {
+    let exact = section.optional("exact");
+    if let Some(entry) = exact.as_ref().filter(|entry| entry.is_section()) {
+        let section = entry.section()?;
+        let law = &gas.materials[0].law;
+        let formulas = state_formulas(&section, law, domain.lower.len(), definitions)?;
+        output.exact = Some(Exact::Formula);
+        output.formulas = Some(formulas);
+    } else if let Some(entry) = exact {
         let chosen = entry.choice(EXACT)?;
         if let Err((reason, cure)) = exists(chosen, domain.lower.len(), gas) {
             return Err(entry.does_not_fit(reason, cure));
@@ -144,7 +163,7 @@ fn exists(exact: Exact, dimension: usize, gas: &Gas) -> Result<(), (String, &'st
             format!("the number of regions is {}", gas.regions.len()),
             "it needs one region that fills the domain; otherwise leave `exact` out",
         )),
-        Exact::Channel => Ok(()),
+        Exact::Channel | Exact::Formula => Ok(()),
     }
 }
 

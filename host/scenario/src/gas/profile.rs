@@ -1,13 +1,16 @@
 //! Profiles: states at t = 0 that vary from place to place, by name.
 
+use motes_formula::Formula;
+
 use super::material::{EquationOfState, Material};
 use crate::Domain;
 use crate::bound::{AMPLITUDE, POSITIVE};
+use crate::define::Definitions;
 use crate::entry::{ANY, Entry};
 use crate::error::Fault;
 use crate::section::Section;
 
-/// A state at t = 0 that fills the domain; an ideal gas. Vortices and Noh's collapse are
+/// A state at t = 0 that fills the domain; an ideal gas, but [`Profile::Formula`]. Vortices and Noh's collapse are
 /// centred at the origin.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Profile {
@@ -59,6 +62,47 @@ pub enum Profile {
         /// Its mean, > 0.
         pressure: f64,
     },
+    /// What formulas of the place say, at t = 0.
+    Formula(StateFormulas),
+}
+
+/// The state of a gas as formulas of place and time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StateFormulas {
+    /// > 0.
+    pub density: Formula,
+    /// One a direction.
+    pub velocity: Vec<Formula>,
+    /// `None` where the density alone gives it.
+    pub pressure: Option<Formula>,
+}
+
+/// `density`, `velocity` and `pressure` of a section as formulas; the velocity is 0 unless told.
+pub(super) fn state_formulas(
+    section: &Section<'_>,
+    law: &EquationOfState,
+    dimension: usize,
+    definitions: &Definitions<'_>,
+) -> Result<StateFormulas, Fault> {
+    let pressure = match (section.optional("pressure"), law.is_barotropic()) {
+        (Some(entry), true) => {
+            let reason = format!("{} has the pressure that the density gives", law.name());
+            return Err(entry.does_not_fit(reason, "take `pressure` out"));
+        }
+        (None, true) => None,
+        _ => Some(definitions.formula(&section.required("pressure")?)?),
+    };
+    let velocity = section.optional("velocity");
+    let velocity = velocity.map(|entry| {
+        let directions = entry.directions(dimension)?;
+        let formulas = directions.iter().map(|entry| definitions.formula(entry));
+        formulas.collect()
+    });
+    Ok(StateFormulas {
+        density: definitions.formula(&section.required("density")?)?,
+        velocity: velocity.unwrap_or(Ok(vec![Formula::constant(0.0); dimension]))?,
+        pressure,
+    })
 }
 
 impl Profile {
@@ -71,31 +115,36 @@ impl Profile {
             Self::Gresho { .. } => "gresho",
             Self::KelvinHelmholtz => "kelvin-helmholtz",
             Self::TaylorGreen { .. } => "taylor-green",
+            Self::Formula(_) => FORMULA,
         }
     }
 
     /// Whether its density is the same everywhere.
     pub fn is_uniform(&self) -> bool {
-        matches!(
-            self,
-            Self::Noh { .. } | Self::Gresho { .. } | Self::TaylorGreen { .. }
-        )
+        match self {
+            Self::Noh { .. } | Self::Gresho { .. } | Self::TaylorGreen { .. } => true,
+            Self::Formula(state) => state.density.value().is_some(),
+            _ => false,
+        }
     }
 
     /// Whether the state at later times is known.
     pub fn has_solution(&self) -> bool {
-        !matches!(self, Self::KelvinHelmholtz)
+        !matches!(self, Self::KelvinHelmholtz | Self::Formula(_))
     }
 }
 
+const FORMULA: &str = "formula";
+
 /// The names of the profiles, with the keys that each takes.
-const KINDS: [(&str, &[&str]); 6] = [
+const KINDS: [(&str, &[&str]); 7] = [
     ("noh", &["density", "speed", "pressure"]),
     ("sound-wave", &["amplitude", "density", "pressure"]),
     ("yee-vortex", &["strength", "velocity"]),
     ("gresho", &["velocity", "mach"]),
     ("kelvin-helmholtz", &[]),
     ("taylor-green", &["density", "speed", "pressure"]),
+    (FORMULA, &["density", "velocity", "pressure"]),
 ];
 
 /// `[profile]`.
@@ -103,20 +152,30 @@ pub(super) fn profile(
     entry: &Entry<'_>,
     domain: &Domain,
     materials: &[Material],
+    definitions: &Definitions<'_>,
 ) -> Result<Profile, Fault> {
     let section = entry.section()?;
     let kind = section.required("kind")?;
     let (name, keys) = kind.choice(&KINDS.map(|kind| (kind.0, kind)))?;
     section.only(name, &["kind"], keys)?;
+    if name == FORMULA {
+        let dimension = domain.extent.lower.len();
+        let state = state_formulas(&section, &materials[0].law, dimension, definitions)?;
+        return Ok(Profile::Formula(state));
+    }
     let EquationOfState::IdealGas { gamma } = materials[0].law else {
         let reason = format!("the first material is {}", materials[0].law.name());
-        let cure = "profiles need equation-of-state = \"ideal-gas\" in the first material";
+        let cure =
+            "profiles but formula need equation-of-state = \"ideal-gas\" in the first material";
         return Err(kind.does_not_fit(reason, cure));
     };
     let dimension = domain.extent.lower.len();
     if dimension != 2 && !matches!(name, "noh" | "sound-wave") {
         let reason = format!("it is two-dimensional, dimension = {dimension}");
-        return Err(kind.does_not_fit(reason, "set dimension = 2, or choose noh or sound-wave"));
+        return Err(kind.does_not_fit(
+            reason,
+            "set dimension = 2, or choose noh, sound-wave or formula",
+        ));
     }
     let number = |key, bound| section.required(key)?.number(bound);
     Ok(match name {

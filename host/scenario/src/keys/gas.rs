@@ -11,6 +11,7 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
             key("description", "description = \"what this shows\""),
             key("dimension", "dimension = 1"),
             key("units", "[units]"),
+            key("define", "[define]"),
             key("domain", "[domain]"),
             key("region", "[[region]]"),
             key("profile", "[profile]"),
@@ -165,6 +166,14 @@ pub(super) const SECTIONS: &[(&str, &[Key])] = &[
             key("exact", "exact = \"riemann\""),
             key("ring", "ring = { inner = 0.05, outer = 0.35 }"),
             key("snapshots", "snapshots = { every = 0.01 }"),
+        ],
+    ),
+    (
+        "output.exact",
+        &[
+            key("density", "density = \"1 + 0.1*sin(x - t)\""),
+            key("velocity", "velocity = [\"1\"]"),
+            key("pressure", "pressure = \"1\""),
         ],
     ),
     (

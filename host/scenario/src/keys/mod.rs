@@ -47,6 +47,9 @@ type Sections = &'static [(&'static str, &'static [Key])];
 /// The section of the keys above all sections.
 pub(super) const ROOT: &str = "";
 
+/// The section of definitions: its keys have any name.
+pub(super) const DEFINE: &str = "define";
+
 /// The section of the largest errors.
 pub(super) const TOLERANCE: &str = "tolerance";
 
@@ -60,6 +63,8 @@ const SHARED: Sections = &[
             key("time", "time = \"s\""),
         ],
     ),
+    // Any name.
+    ("define", &[key("k", "k = \"2*pi\"")]),
     (
         "domain",
         &[
@@ -146,9 +151,14 @@ fn without_number(section: &str) -> Cow<'_, str> {
 
 /// Whether a section has a key of that name.
 pub(super) fn has(family: Family, section: &str, name: &str) -> bool {
-    // The components of a system have names of their own.
+    // The components of a system have names of their own, and so have definitions.
     let is_component = family == Family::Linear && section == TOLERANCE;
-    is_component || names(family, section).any(|known| known == name)
+    is_component || section == DEFINE || names(family, section).any(|known| known == name)
+}
+
+/// Whether a key is a section or a plain value, as the file likes.
+pub(super) fn is_either(path: &str) -> bool {
+    matches!(path, "output.exact" | "system.velocity")
 }
 
 /// The names of the keys of a section.

@@ -1,11 +1,13 @@
 //! How a diffusivity varies from place to place.
 
+use motes_formula::Formula;
+
 use crate::Extent;
 use crate::bound::POSITIVE;
 use crate::entry::{ANY, Entry};
 use crate::error::Fault;
 
-/// A factor `c(x) >= 0` of the diffusivity, of the coordinate along x alone.
+/// A factor `c(x) >= 0` of the diffusivity, of the coordinate along x alone; or formulas in its place.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Conductor {
     /// `c = 1`.
@@ -24,6 +26,11 @@ pub enum Conductor {
         /// Of the layers from lower to upper, > 0, one more than the bounds.
         factors: Vec<f64>,
     },
+    /// The diffusivities themselves, of place and time.
+    Formula {
+        /// One a species.
+        diffusivity: Vec<Formula>,
+    },
 }
 
 /// The names of the profiles, with the keys that each takes.
@@ -40,13 +47,14 @@ impl Conductor {
             Self::Uniform => "uniform",
             Self::Parabola { .. } => "parabola",
             Self::Layers { .. } => "layers",
+            Self::Formula { .. } => "formula",
         }
     }
 
     /// Its largest value.
     pub fn largest(&self) -> f64 {
         match self {
-            Self::Uniform | Self::Parabola { .. } => 1.0,
+            Self::Uniform | Self::Parabola { .. } | Self::Formula { .. } => 1.0,
             Self::Layers { factors, .. } => factors.iter().copied().fold(0.0, f64::max),
         }
     }

@@ -1,5 +1,7 @@
 //! Convection-diffusion: `∂u/∂t + div(a u) - div(b grad u) = f`.
 
+use motes_formula::Formula;
+
 use super::conductor::conductor;
 use super::field::field;
 use super::matrices::names;
@@ -7,12 +9,13 @@ use super::reaction::reaction;
 use super::tensor::tensor;
 use super::wall::{Walls, walls};
 use super::{Conductor, Field, Reaction};
-use crate::Domain;
 use crate::bound::{NOT_NEGATIVE, PART};
+use crate::define::Definitions;
 use crate::entry::{ANY, Entry};
 use crate::error::Fault;
 use crate::files::Files;
 use crate::section::Section;
+use crate::{Domain, Extent};
 
 /// Species that a velocity carries, that diffuse and react. That of the `i`-th is
 /// `diffusivity_i profile(x) (1 + amplitude sin(rate t)) tensor`.
@@ -26,7 +29,8 @@ pub struct ConvectionDiffusion {
     pub mean: Mean,
     /// `a`: the particles follow it.
     pub velocity: Field,
-    /// One a species, length² / time, >= 0.
+    /// One a species, length² / time, >= 0. Of formulas what they are in the middle of the domain at
+    /// t = 0.
     pub diffusivity: Vec<f64>,
     /// How it varies along x.
     pub profile: Conductor,
@@ -94,6 +98,7 @@ pub(super) fn convection_diffusion(
     section: &Section<'_>,
     domain: &Domain,
     files: Files<'_>,
+    definitions: &Definitions<'_>,
 ) -> Result<ConvectionDiffusion, Fault> {
     let species = match section.optional("species") {
         Some(entry) => species(&entry)?,
@@ -104,18 +109,30 @@ pub(super) fn convection_diffusion(
         None => Form::Direct,
     };
     let walls = walls(root, domain, &species, files)?;
-    let profile = match section.optional("profile") {
+    let mut profile = match section.optional("profile") {
         Some(entry) => conductor(&entry, &domain.extent)?,
         None => Conductor::Uniform,
     };
+    let given = section.required("diffusivity")?;
+    let formulas = formulas(&given, section, species.len(), definitions)?;
+    let diffusivity = match &formulas {
+        Some(formulas) => formulas
+            .iter()
+            .map(|of| at_start(of, &domain.extent))
+            .collect(),
+        None => diffusivity(&given, species.len())?,
+    };
+    if let Some(diffusivity) = formulas {
+        profile = Conductor::Formula { diffusivity };
+    }
     Ok(ConvectionDiffusion {
         form,
         mean: mean(section, form, &profile)?,
         velocity: match section.optional("velocity") {
-            Some(entry) => field(&entry, domain)?,
+            Some(entry) => field(&entry, domain, definitions)?,
             None => Field::Still,
         },
-        diffusivity: diffusivity(&section.required("diffusivity")?, species.len())?,
+        diffusivity,
         profile,
         modulation: match section.optional("modulation") {
             Some(entry) => Some(modulation(&entry.section()?)?),
@@ -126,7 +143,7 @@ pub(super) fn convection_diffusion(
             None => None,
         },
         reaction: match section.optional("reaction") {
-            Some(entry) => reaction(&entry, species.len())?,
+            Some(entry) => reaction(&entry, &species, definitions)?,
             None => Reaction::None,
         },
         walls,
@@ -161,6 +178,44 @@ fn mean(section: &Section<'_>, form: Form, profile: &Conductor) -> Result<Mean, 
         return Err(entry.does_not_fit(reason, "set form = \"direct\", or take `mean` out"));
     }
     Ok(mean)
+}
+
+/// Diffusivities that are formulas: one a species, or one for all. What else says how a diffusivity
+/// varies belongs into them.
+fn formulas(
+    entry: &Entry<'_>,
+    section: &Section<'_>,
+    species: usize,
+    definitions: &Definitions<'_>,
+) -> Result<Option<Vec<Formula>>, Fault> {
+    let is_formula = match entry.list("") {
+        Ok(entries) => entries.iter().any(Entry::is_text),
+        Err(_) => entry.is_text(),
+    };
+    if !is_formula {
+        return Ok(None);
+    }
+    for key in ["profile", "modulation"] {
+        if let Some(other) = section.optional(key) {
+            let reason = "system.diffusivity is a formula".to_owned();
+            let cure = "write how it varies into the formula, and take this out";
+            return Err(other.does_not_fit(reason, cure));
+        }
+    }
+    let formulas = match entry.is_list() {
+        true => definitions.formulas(entry, species)?,
+        false => vec![definitions.formula(entry)?; species],
+    };
+    Ok(Some(formulas))
+}
+
+/// The value of a formula in the middle of a box at t = 0.
+fn at_start(formula: &Formula, extent: &Extent) -> f64 {
+    let mut point = [0.0; 4];
+    for (i, x) in point.iter_mut().enumerate().take(extent.lower.len()) {
+        *x = extent.middle(i);
+    }
+    formula.at(&point)
 }
 
 /// One number a species, or one for all.

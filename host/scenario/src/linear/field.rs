@@ -1,11 +1,14 @@
 //! Fields of velocities: what the particles follow, and what carries a transported quantity.
 
+use motes_formula::Formula;
+
 use super::System;
+use crate::define::Definitions;
 use crate::entry::{ANY, Entry};
 use crate::error::Fault;
 use crate::geometry::AXES;
 use crate::section::Section;
-use crate::{Domain, Side};
+use crate::{Domain, Extent, Side};
 
 /// A field of velocities `a(x)`.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,17 +47,86 @@ pub enum Field {
         /// Length / time.
         amplitude: f64,
     },
+    /// What formulas of place and time say.
+    Formula(FormulaField),
 }
 
+/// A field of velocities given as formulas, and its slopes, made from them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FormulaField {
+    /// `a_i`, one a direction.
+    pub velocity: Vec<Formula>,
+    /// `∂_j a_i`, one a direction, row by row.
+    pub slopes: Vec<Formula>,
+}
+
+impl FormulaField {
+    fn new(velocity: Vec<Formula>) -> Self {
+        let directions = 0..velocity.len();
+        let slopes = velocity
+            .iter()
+            .flat_map(|of| directions.clone().map(|j| of.derivative(j)));
+        Self {
+            slopes: slopes.collect(),
+            velocity,
+        }
+    }
+
+    /// `a` at a point and a time.
+    pub fn at(&self, point: [f64; 4]) -> Vec<f64> {
+        self.velocity.iter().map(|of| of.at(&point)).collect()
+    }
+
+    /// Calls a function at points of the domain, on its sides too, at a few times.
+    fn all_over(extent: &Extent, mut of: impl FnMut([f64; 4])) {
+        const POINTS: usize = 9;
+        const TIMES: [f64; 3] = [0.0, 0.3, 1.0];
+        let dimension = extent.lower.len();
+        for mut number in 0..POINTS.pow(dimension as u32) {
+            let mut point = [0.0; 4];
+            for (i, x) in point.iter_mut().enumerate().take(dimension) {
+                let part = (number % POINTS) as f64 / (POINTS - 1) as f64;
+                *x = (1.0 - part) * extent.lower[i] + part * extent.upper[i];
+                number /= POINTS;
+            }
+            for time in TIMES {
+                point[3] = time;
+                of(point);
+            }
+        }
+    }
+
+    /// The largest of some numbers of the two ends of a direction, in the largest speed anywhere.
+    fn largest(&self, extent: &Extent, axis: usize, of: impl Fn([Vec<f64>; 2]) -> f64) -> f64 {
+        let (mut largest, mut speed) = (0.0f64, 0.0f64);
+        Self::all_over(extent, |point| {
+            let here = self.at(point);
+            speed = here.iter().fold(speed, |speed, u| speed.max(u.abs()));
+            if point[axis] == extent.lower[axis] {
+                let mut opposite = point;
+                opposite[axis] = extent.upper[axis];
+                largest = largest.max(of([here, self.at(opposite)]));
+            }
+        });
+        if speed > 0.0 { largest / speed } else { 0.0 }
+    }
+}
+
+/// The part of the largest speed that is taken for rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// The names of the fields, with the keys that each takes.
-const KINDS: [(&str, &[&str]); 6] = [
+const KINDS: [(&str, &[&str]); 7] = [
     ("still", &[]),
     ("uniform", &["velocity"]),
     ("rotation", &["rate", "center"]),
     ("shear", &["rate", "center"]),
     ("compression", &["rate", "center"]),
     ("wave", &["amplitude"]),
+    (FORMULA, &["velocity"]),
 ];
+
+const FORMULA: &str = "formula";
 
 /// What the particles of a transported quantity do unless told, and those of convection-diffusion
 /// always: they go with it.
@@ -70,6 +142,7 @@ impl Field {
             Self::Shear { .. } => "shear",
             Self::Compression { .. } => "compression",
             Self::Wave { .. } => "wave",
+            Self::Formula(_) => FORMULA,
         }
     }
 
@@ -84,21 +157,37 @@ impl Field {
                 let side = [&domain.extent.lower, &domain.extent.upper][end][axis];
                 *rate != 0.0 && side != center[axis]
             }
+            Self::Formula(field) => {
+                let across = |ends: [Vec<f64>; 2]| ends[end][axis].abs();
+                field.largest(&domain.extent, axis, across) > ROUNDING
+            }
         }
     }
 
     /// Whether it may go on at the other side of a periodic direction.
-    fn goes_on(&self, axis: usize) -> bool {
+    fn goes_on(&self, axis: usize, domain: &Domain) -> bool {
         match self {
             Self::Still | Self::Uniform { .. } | Self::Wave { .. } => true,
             Self::Rotation { rate, .. } | Self::Shear { rate, .. } => axis >= 2 || *rate == 0.0,
             Self::Compression { rate, .. } => *rate == 0.0,
+            Self::Formula(field) => {
+                let jump = |[a, b]: [Vec<f64>; 2]| {
+                    let jumps = a.iter().zip(&b).map(|(a, b)| (a - b).abs());
+                    jumps.fold(0.0, f64::max)
+                };
+                field.largest(&domain.extent, axis, jump) <= ROUNDING
+            }
         }
     }
 }
 
 /// `[motion]`.
-pub(super) fn motion(root: &Section<'_>, system: &System, domain: &Domain) -> Result<Field, Fault> {
+pub(super) fn motion(
+    root: &Section<'_>,
+    system: &System,
+    domain: &Domain,
+    definitions: &Definitions<'_>,
+) -> Result<Field, Fault> {
     let usual = match system {
         System::Transport { velocity, .. } => velocity,
         System::ConvectionDiffusion(diffusion) => &diffusion.velocity,
@@ -117,7 +206,7 @@ pub(super) fn motion(root: &Section<'_>, system: &System, domain: &Domain) -> Re
                 "set kind = \"flow\", or take [motion] out: system.velocity says how they move";
             return Err(kind.does_not_fit(reason.to_owned(), cure));
         }
-        return field(&entry, domain);
+        return field(&entry, domain, definitions);
     }
     if !is_diffusion && !matches!(system, System::Transport { .. }) {
         let reason = format!("{} has no velocity that could be followed", system.name());
@@ -127,7 +216,16 @@ pub(super) fn motion(root: &Section<'_>, system: &System, domain: &Domain) -> Re
 }
 
 /// A field that goes with the sides of the domain.
-pub(super) fn field(entry: &Entry<'_>, domain: &Domain) -> Result<Field, Fault> {
+pub(super) fn field(
+    entry: &Entry<'_>,
+    domain: &Domain,
+    definitions: &Definitions<'_>,
+) -> Result<Field, Fault> {
+    if entry.is_list() {
+        let field = formulas(entry, domain, definitions)?;
+        check_sides(entry, &field, domain)?;
+        return Ok(field);
+    }
     let section = entry.section()?;
     let kind = section.required("kind")?;
     let (name, keys) = kind.choice(&KINDS.map(|kind| (kind.0, kind)))?;
@@ -160,12 +258,29 @@ pub(super) fn field(entry: &Entry<'_>, domain: &Domain) -> Result<Field, Fault> 
             rate: rate()?,
             center: center()?,
         },
+        FORMULA => formulas(&section.required("velocity")?, domain, definitions)?,
         _ => Field::Wave {
             amplitude: section.number("amplitude", ANY)?,
         },
     };
     check_sides(&kind, &field, domain)?;
     Ok(field)
+}
+
+/// A list with a formula a direction.
+fn formulas(
+    entry: &Entry<'_>,
+    domain: &Domain,
+    definitions: &Definitions<'_>,
+) -> Result<Field, Fault> {
+    let directions = entry.directions(domain.extent.lower.len())?;
+    let formulas = directions.iter().map(|entry| definitions.formula(entry));
+    let formulas: Vec<Formula> = formulas.collect::<Result<_, _>>()?;
+    let constants: Option<Vec<f64>> = formulas.iter().map(Formula::value).collect();
+    Ok(match constants {
+        Some(velocity) if velocity.iter().all(|u| u.is_finite()) => Field::Uniform { velocity },
+        _ => Field::Formula(FormulaField::new(formulas)),
+    })
 }
 
 /// A point, in the middle of the domain unless told.
@@ -186,7 +301,7 @@ pub(super) fn center(section: &Section<'_>, domain: &Domain) -> Result<Vec<f64>,
 pub(super) fn check_sides(kind: &Entry<'_>, field: &Field, domain: &Domain) -> Result<(), Fault> {
     for (axis, sides) in domain.sides.iter().enumerate() {
         let name = AXES[axis];
-        if sides[0] == Side::Periodic && !field.goes_on(axis) {
+        if sides[0] == Side::Periodic && !field.goes_on(axis, domain) {
             let reason = format!("it differs at the two periodic sides along {name}");
             let cure = format!("set the sides along {name} to \"free\", or choose another field");
             return Err(kind.does_not_fit(reason, &cure));

@@ -1,9 +1,12 @@
 //! The state at t = 0, by name.
 
+use motes_formula::Formula;
+
 use super::sides::check_sides;
-use super::{System, field};
+use super::{Conductor, System, field};
 use crate::Domain;
 use crate::bound::POSITIVE;
+use crate::define::Definitions;
 use crate::entry::{ANY, Entry};
 use crate::error::Fault;
 use crate::geometry::point_inside;
@@ -77,6 +80,16 @@ pub enum Initial {
         /// Of the first species.
         amplitude: f64,
     },
+    /// What formulas of the place say, at t = 0: every system.
+    Formula {
+        /// One a component.
+        state: Vec<Formula>,
+    },
+    /// What formulas say at t = 0, and at all times: the source is made so. Every system.
+    Manufactured {
+        /// `u(x,t)`, one a component.
+        state: Vec<Formula>,
+    },
     /// `background + (spot - background) exp(-|x - c|²/width²)`, `c` the nearest centre.
     Spots {
         /// One number a species.
@@ -90,8 +103,12 @@ pub enum Initial {
     },
 }
 
+/// The states that every system has.
+const FORMULA: &str = "formula";
+const MANUFACTURED: &str = "manufactured";
+
 /// The names of the states, with the keys that each takes.
-const KINDS: [(&str, &[&str]); 9] = [
+const KINDS: [(&str, &[&str]); 11] = [
     ("gaussian", &["center", "width", "amplitude"]),
     ("exp-sine", &[]),
     ("plane-wave", &["wave", "amplitude"]),
@@ -101,6 +118,8 @@ const KINDS: [(&str, &[&str]); 9] = [
     ("band", &["center", "length", "width", "amplitude"]),
     ("legendre", &["degree", "amplitude"]),
     ("spots", &["background", "spot", "centers", "width"]),
+    (FORMULA, &["state"]),
+    (MANUFACTURED, &["state"]),
 ];
 
 impl Initial {
@@ -116,6 +135,8 @@ impl Initial {
             Self::Band { .. } => "band",
             Self::Legendre { .. } => "legendre",
             Self::Spots { .. } => "spots",
+            Self::Formula { .. } => FORMULA,
+            Self::Manufactured { .. } => MANUFACTURED,
         }
     }
 }
@@ -128,6 +149,7 @@ fn kinds_of(system: &System, dimension: usize) -> &'static [&'static str] {
         (System::Acoustics { .. }, 2) => &["gaussian", "plane-wave"],
         (System::Telegraph { .. } | System::MaxwellTe { .. }, _) => &["standing-wave"],
         (System::Matrices { .. }, _) => &["modes"],
+        (System::VariableMatrices { .. }, _) => &[],
         (System::ConvectionDiffusion(_), 1) => {
             &["gaussian", "modes", "uniform", "band", "legendre", "spots"]
         }
@@ -141,18 +163,31 @@ pub(super) fn initial(
     section: &Section<'_>,
     system: &System,
     domain: &Domain,
+    definitions: &Definitions<'_>,
 ) -> Result<Initial, Fault> {
     let kind = section.required("kind")?;
     let (name, keys) = kind.choice(&KINDS.map(|kind| (kind.0, kind)))?;
     let dimension = domain.sides.len();
     let known = kinds_of(system, dimension);
-    if !known.contains(&name) {
+    if ![FORMULA, MANUFACTURED].contains(&name) && !known.contains(&name) {
         let system = system.name();
         let reason = format!("{system} has no such state in dimension = {dimension}");
-        let cure = format!("{system} has here: {}", known.join(", "));
+        let cure = format!(
+            "{system} has here: {}",
+            [known, &[FORMULA, MANUFACTURED]].concat().join(", ")
+        );
         return Err(kind.does_not_fit(reason, &cure));
     }
     section.only(name, &["kind"], keys)?;
+    if let FORMULA | MANUFACTURED = name {
+        let components = system.components(dimension);
+        let state = definitions.formulas(&section.required("state")?, components)?;
+        if name == FORMULA {
+            return Ok(Initial::Formula { state });
+        }
+        check_layers(&kind, system)?;
+        return Ok(Initial::Manufactured { state });
+    }
     check_sides(&kind, name, system, domain)?;
     let amplitude = || section.number_or("amplitude", 1.0, ANY);
     let components = |key| state(&section.required(key)?, system.components(dimension));
@@ -196,6 +231,18 @@ pub(super) fn initial(
             width: section.number("width", POSITIVE)?,
         },
     })
+}
+
+/// That a diffusivity has no jumps: what a jump does to a smooth state, no formula says.
+fn check_layers(kind: &Entry<'_>, system: &System) -> Result<(), Fault> {
+    match system {
+        System::ConvectionDiffusion(of) if matches!(of.profile, Conductor::Layers { .. }) => {
+            let reason = "the diffusivity has layers, across which no smooth state solves it";
+            let cure = "choose another profile, or kind = \"formula\"";
+            Err(kind.does_not_fit(reason.to_owned(), cure))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// A coordinate along x, the middle of the domain unless told.

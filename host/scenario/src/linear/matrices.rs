@@ -1,6 +1,9 @@
 //! A system given by its matrices.
 
+use motes_formula::Formula;
+
 use super::System;
+use crate::define::Definitions;
 use crate::entry::{ANY, Entry};
 use crate::error::Fault;
 use crate::section::Section;
@@ -28,7 +31,11 @@ const TAKEN_ENDS: [&str; 3] = ["_min", "_mean", "_max"];
 const MOST: u32 = 8;
 
 /// `[system]` of kind "matrices".
-pub(super) fn matrices(section: &Section<'_>, dimension: usize) -> Result<System, Fault> {
+pub(super) fn matrices(
+    section: &Section<'_>,
+    dimension: usize,
+    definitions: &Definitions<'_>,
+) -> Result<System, Fault> {
     let cure = "give the number of components of u";
     let components = section.required("components")?;
     let components = components.count(MOST, "1 to 8", cure)?;
@@ -41,29 +48,55 @@ pub(super) fn matrices(section: &Section<'_>, dimension: usize) -> Result<System
                     in one dimension";
         return Err(flux.does_not_fit(reason, cure));
     }
-    let flux = entries
-        .iter()
-        .map(|entry| matrix(entry, components, "components"));
-    Ok(System::Matrices {
-        components,
-        flux: flux.collect::<Result<_, _>>()?,
-        decay: match section.optional("decay") {
-            Some(entry) => matrix(&entry, components, "components")?,
-            None => vec![0.0; components * components],
+    let names = match section.optional("names") {
+        Some(entry) => component_names(&entry, components)?,
+        None => (0..components).map(|i| format!("u{i}")).collect(),
+    };
+    let formula = |entry: &Entry<'_>| definitions.formula(entry);
+    let matrix = |entry: &Entry<'_>| square(entry, (components, "components"), formula);
+    let flux: Vec<Vec<Formula>> = entries.iter().map(matrix).collect::<Result<_, _>>()?;
+    let decay = match section.optional("decay") {
+        Some(entry) => matrix(&entry)?,
+        None => vec![Formula::constant(0.0); components * components],
+    };
+    let numbers = |matrix: &[Formula]| {
+        matrix
+            .iter()
+            .map(Formula::value)
+            .collect::<Option<Vec<_>>>()
+    };
+    let constant: Option<Vec<_>> = flux.iter().map(|matrix| numbers(matrix)).collect();
+    Ok(match (constant, numbers(&decay)) {
+        (Some(flux), Some(decay)) => System::Matrices {
+            components,
+            flux,
+            decay,
+            names,
         },
-        names: match section.optional("names") {
-            Some(entry) => component_names(&entry, components)?,
-            None => (0..components).map(|i| format!("u{i}")).collect(),
+        _ => System::VariableMatrices {
+            components,
+            flux,
+            decay,
+            names,
         },
     })
 }
 
-/// A square matrix, row by row; `what` has as many as there are rows.
+/// A square matrix of numbers, row by row; `what` has as many as there are rows.
 pub(super) fn matrix(
     entry: &Entry<'_>,
     size: usize,
     what: &'static str,
 ) -> Result<Vec<f64>, Fault> {
+    square(entry, (size, what), |entry| entry.number(ANY))
+}
+
+/// A square matrix, row by row, of whatever its entries are read as.
+fn square<T>(
+    entry: &Entry<'_>,
+    (size, what): (usize, &'static str),
+    read: impl Fn(&Entry<'_>) -> Result<T, Fault>,
+) -> Result<Vec<T>, Fault> {
     let cure = match what {
         "dimension" => format!("give {size} rows of {size} numbers, or another dimension"),
         _ => format!("give {size} rows of {size} numbers, or another number of {what}"),
@@ -74,7 +107,7 @@ pub(super) fn matrix(
         let reason = format!("the number of its rows is {found}, {what} = {size}");
         return Err(entry.does_not_fit(reason, &cure));
     }
-    let mut numbers = Vec::with_capacity(size * size);
+    let mut entries = Vec::with_capacity(size * size);
     for row in rows {
         let columns = row.list("a row: a list of numbers")?;
         if columns.len() != size {
@@ -83,10 +116,10 @@ pub(super) fn matrix(
             return Err(row.does_not_fit(reason, &cure));
         }
         for entry in columns {
-            numbers.push(entry.number(ANY)?);
+            entries.push(read(&entry)?);
         }
     }
-    Ok(numbers)
+    Ok(entries)
 }
 
 /// One name a component.

@@ -1,10 +1,12 @@
 //! Linear first-order systems `∂u/∂t + Σ_i ∂_i(A^i u) + A⁰ u = f`, and convection-diffusion
 //! `∂u/∂t + div(a u) - div(b grad u) = f`, on particles that move with a field of velocities.
 
+mod coefficients;
 mod conductor;
 mod diffusion;
 mod field;
 mod initial;
+mod manufactured;
 mod matrices;
 mod output;
 mod reaction;
@@ -12,11 +14,15 @@ mod resolution;
 mod series;
 mod sides;
 mod solution;
+mod source;
 mod system;
 mod tensor;
 mod time;
 mod wall;
 
+use motes_formula::Formula;
+
+use crate::define::Definitions;
 use crate::domain::{Domain, Side};
 use crate::error::{Fault, ScenarioError};
 use crate::files::Files;
@@ -28,9 +34,9 @@ use crate::{CutOff, check, cut_off};
 
 pub use conductor::Conductor;
 pub use diffusion::{ConvectionDiffusion, Form, Mean, Modulation};
-pub use field::Field;
+pub use field::{Field, FormulaField};
 pub use initial::Initial;
-pub use output::{Measured, Output, Probe};
+pub use output::{Exact, Measured, Output, Probe};
 pub use reaction::Reaction;
 pub use resolution::{Arrangement, Resolution};
 pub use series::Series;
@@ -54,6 +60,8 @@ pub struct LinearScenario {
     pub domain: Domain,
     /// The equations.
     pub system: System,
+    /// `f(x,t)`, one formula a component, of a first-order system; beside what [`System`] says.
+    pub source: Option<Vec<Formula>>,
     /// The velocity of the particles.
     pub motion: Field,
     /// The state at t = 0; `None` where the file of the particles holds it.
@@ -101,8 +109,9 @@ pub(super) fn scenario(
 ) -> Result<LinearScenario, Fault> {
     let heading = heading::heading(root)?;
     let domain = heading.domain;
+    let definitions = Definitions::of(root, heading.dimension)?;
     check_sides(root, &domain)?;
-    let system = system::system(root, &domain, files)?;
+    let system = system::system(root, &domain, files, &definitions)?;
     check_walls(root, &domain, &system)?;
     let section = root.required("resolution")?.section()?;
     let resolution = resolution::resolution(&section, files.folder())?;
@@ -110,16 +119,37 @@ pub(super) fn scenario(
     let initial = match root.optional("initial") {
         None if in_file => None,
         None => return Err(root.missing("initial")),
-        Some(entry) => Some(initial::initial(&entry.section()?, &system, &domain)?),
+        Some(entry) => {
+            let section = entry.section()?;
+            Some(initial::initial(&section, &system, &domain, &definitions)?)
+        }
     };
-    let output = output::output(root, &domain, &system, initial.as_ref())?;
+    let source = source::source(root, &system, heading.dimension, &definitions)?;
+    let (system, source, is_known) = match &initial {
+        Some(Initial::Manufactured { state }) => {
+            source::refuse(root, source.is_some())?;
+            let (system, source) = manufactured::made(system, state, &domain);
+            (system, source, true)
+        }
+        _ => {
+            let is_known = source.is_none();
+            (system, source, is_known)
+        }
+    };
+    let output = output::output(
+        root,
+        &domain,
+        (&system, initial.as_ref(), is_known),
+        &definitions,
+    )?;
     let time = time::time(&root.required("time")?.section()?, &system)?;
     Ok(LinearScenario {
         name: heading.name,
         description: heading.description,
         dimension: heading.dimension,
         units: heading.units,
-        motion: field::motion(root, &system, &domain)?,
+        source,
+        motion: field::motion(root, &system, &domain, &definitions)?,
         tolerances: output::tolerances(root, &output, &system, heading.dimension)?,
         system,
         initial,
@@ -136,7 +166,11 @@ pub(super) fn scenario(
 fn check_walls(root: &Section<'_>, domain: &Domain, system: &System) -> Result<(), Fault> {
     let is_wall = |sides: &[Side; 2]| sides.contains(&Side::Mirror);
     let axis = domain.sides.iter().position(is_wall);
-    let (Some(axis), System::Matrices { .. }) = (axis, system) else {
+    let is_unknown = matches!(
+        system,
+        System::Matrices { .. } | System::VariableMatrices { .. }
+    );
+    let Some(axis) = axis.filter(|_| is_unknown) else {
         return Ok(());
     };
     let sides = root.required("domain")?.section()?.required("sides")?;

@@ -1,6 +1,9 @@
 //! What is written and measured.
 
+use motes_formula::Formula;
+
 use super::{Initial, System};
+use crate::define::Definitions;
 use crate::entry::Entry;
 use crate::error::Fault;
 use crate::geometry::point_inside;
@@ -16,8 +19,8 @@ pub struct Output {
     pub window: Extent,
     /// Rows of the time series, equally spaced in time, at least 1.
     pub samples: usize,
-    /// Whether to compare with the solution that belongs to the initial state.
-    pub exact: bool,
+    /// The solution to compare with.
+    pub exact: Option<Exact>,
     /// States on the way, if any are written.
     pub snapshots: Option<Snapshots>,
     /// Whether steps are shortened so that rows of the time series and snapshots have their own
@@ -25,6 +28,15 @@ pub struct Output {
     pub exact_times: bool,
     /// Places where the smoothed solution is written at the end.
     pub probe: Option<Probe>,
+}
+
+/// A solution to compare with.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Exact {
+    /// That which belongs to the initial state.
+    Initial,
+    /// What formulas of place and time say, one a component.
+    Formula(Vec<Formula>),
 }
 
 /// A grid of points.
@@ -84,15 +96,15 @@ impl Probe {
 pub(super) fn output(
     root: &Section<'_>,
     domain: &Domain,
-    system: &System,
-    initial: Option<&Initial>,
+    (system, initial, is_known): (&System, Option<&Initial>, bool),
+    definitions: &Definitions<'_>,
 ) -> Result<Output, Fault> {
     let extent = &domain.extent;
     let Some(entry) = root.optional("output") else {
         return Ok(Output {
             window: extent.clone(),
             samples: DEFAULT_SAMPLES,
-            exact: false,
+            exact: None,
             snapshots: None,
             exact_times: false,
             probe: None,
@@ -103,8 +115,17 @@ pub(super) fn output(
         window: window(&section, extent)?,
         samples: samples(&section)?,
         exact: match section.optional("exact") {
-            Some(entry) => exact(&entry, domain, system, initial)?,
-            None => false,
+            Some(entry) if entry.is_list() => {
+                let components = system.components(domain.sides.len());
+                Some(Exact::Formula(definitions.formulas(&entry, components)?))
+            }
+            Some(entry) if !is_known => {
+                let reason = "system.source is a formula, of which no solution is known".to_owned();
+                let cure = "give the solution as formulas, as exact = [\"exp(-t)*sin(x)\"], or leave it out";
+                return Err(entry.does_not_fit(reason, cure));
+            }
+            Some(entry) => Some(exact(&entry, domain, system, initial)?),
+            None => None,
         },
         snapshots: snapshots(&section)?,
         exact_times: exact_times(&section)?,
@@ -123,8 +144,8 @@ fn exact(
     domain: &Domain,
     system: &System,
     initial: Option<&Initial>,
-) -> Result<bool, Fault> {
-    let chosen = entry.choice(&[(INITIAL, true)])?;
+) -> Result<Exact, Fault> {
+    let chosen = entry.choice(&[(INITIAL, Exact::Initial)])?;
     let Some(initial) = initial else {
         let reason = "there is no [initial], of which the solution is known".to_owned();
         return Err(entry.does_not_fit(reason, "add [initial], or leave `exact` out"));
@@ -134,8 +155,8 @@ fn exact(
             "the solution of {} is not known here: {reason}",
             initial.name()
         );
-        let cure = "leave `exact` out, or change what the reason names (docs/scenario.md lists \
-                    the solutions)";
+        let cure = "leave `exact` out, give formulas, as exact = [\"exp(-t)*sin(x)\"], or change what the \
+                    reason names (docs/scenario.md lists the solutions)";
         entry.does_not_fit(reason, cure)
     })?;
     Ok(chosen)
@@ -188,5 +209,5 @@ pub(super) fn tolerances(
         ("reconstruction".to_owned(), Measured::Reconstruction),
     ];
     let fields: Vec<_> = whole.into_iter().chain(components).collect();
-    tolerance::tolerances(root, output.exact, &fields)
+    tolerance::tolerances(root, output.exact.is_some(), &fields)
 }

@@ -1,7 +1,10 @@
 //! What species turn into at a place.
 
+use motes_formula::Formula;
+
 use super::matrices::matrix;
 use crate::bound::{NOT_NEGATIVE, POSITIVE};
+use crate::define::Definitions;
 use crate::entry::{ANY, Entry};
 use crate::error::Fault;
 
@@ -32,14 +35,22 @@ pub enum Reaction {
         /// 1 / time, >= 0.
         kill: f64,
     },
+    /// `f(x,t,u)`, one formula a species: of the place, the time and, behind them, the species.
+    Formula {
+        /// Of a species per time.
+        rates: Vec<Formula>,
+    },
 }
 
+const FORMULA: &str = "formula";
+
 /// The names of the reactions, with the keys that each takes.
-const KINDS: [(&str, &[&str]); 4] = [
+const KINDS: [(&str, &[&str]); 5] = [
     ("none", &[]),
     ("linear", &["matrix", "source"]),
     ("logistic", &["rate", "capacity"]),
     ("gray-scott", &["feed", "kill"]),
+    (FORMULA, &["rates"]),
 ];
 
 impl Reaction {
@@ -50,12 +61,18 @@ impl Reaction {
             Self::Linear { .. } => "linear",
             Self::Logistic { .. } => "logistic",
             Self::GrayScott { .. } => "gray-scott",
+            Self::Formula { .. } => FORMULA,
         }
     }
 }
 
-/// `system.reaction` of so many species.
-pub(super) fn reaction(entry: &Entry<'_>, species: usize) -> Result<Reaction, Fault> {
+/// `system.reaction` of some species.
+pub(super) fn reaction(
+    entry: &Entry<'_>,
+    names: &[String],
+    definitions: &Definitions<'_>,
+) -> Result<Reaction, Fault> {
+    let species = names.len();
     let section = entry.section()?;
     let kind = section.required("kind")?;
     let (name, keys) = kind.choice(&KINDS.map(|kind| (kind.0, kind)))?;
@@ -65,6 +82,11 @@ pub(super) fn reaction(entry: &Entry<'_>, species: usize) -> Result<Reaction, Fa
     }
     section.only(name, &["kind"], keys)?;
     Ok(match name {
+        FORMULA => {
+            let definitions = definitions.with_unknowns(names);
+            let rates = definitions.formulas(&section.required("rates")?, species)?;
+            Reaction::Formula { rates }
+        }
         "linear" => Reaction::Linear {
             matrix: matrix(&section.required("matrix")?, species, "species")?,
             source: match section.optional("source") {

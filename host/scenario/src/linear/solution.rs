@@ -9,6 +9,19 @@ impl Initial {
     /// # Errors
     /// Why it is not.
     pub fn has_solution(&self, system: &System, domain: &Domain) -> Result<(), String> {
+        if matches!(self, Self::Manufactured { .. }) {
+            return Ok(());
+        }
+        if matches!(self, Self::Formula { .. }) {
+            return Err("no solution is known".to_owned());
+        }
+        if let System::Transport {
+            velocity: velocity @ Field::Formula(_),
+            ..
+        } = system
+        {
+            return Err(format!("the velocity is {}", velocity.name()));
+        }
         let System::ConvectionDiffusion(diffusion) = system else {
             return Ok(());
         };
@@ -111,8 +124,8 @@ impl Place<'_> {
             "the diffusivities of the species differ",
         )?;
         need(
-            !matches!(velocity, Field::Wave { .. }),
-            "the velocity is wave, which no Gaussian survives",
+            !matches!(velocity, Field::Wave { .. } | Field::Formula(_)),
+            format!("the velocity is {name}, which no Gaussian survives"),
         )?;
         need(
             self.is_shift() || diffusion.tensor.is_none(),

@@ -1,8 +1,11 @@
 //! The systems of equations, by name.
 
+use motes_formula::Formula;
+
 use super::{ConvectionDiffusion, Field, Series, diffusion, field, matrices};
 use crate::Domain;
 use crate::bound::{GAMMA, NOT_NEGATIVE, POSITIVE};
+use crate::define::Definitions;
 use crate::entry::ANY;
 use crate::error::Fault;
 use crate::files::Files;
@@ -92,6 +95,17 @@ pub enum System {
         /// What the components are called; no two alike.
         names: Vec<String>,
     },
+    /// `∂u/∂t + Σ_i ∂_i(flux_i u) + decay u = 0`, matrices of place and time.
+    VariableMatrices {
+        /// How many, 1 to 8.
+        components: usize,
+        /// A direction: the matrix, row by row.
+        flux: Vec<Vec<Formula>>,
+        /// Row by row.
+        decay: Vec<Formula>,
+        /// What the components are called; no two alike.
+        names: Vec<String>,
+    },
     /// `∂u/∂t + div(a u) - div(b grad u) = f`: species that are carried, diffuse and react.
     ConvectionDiffusion(Box<ConvectionDiffusion>),
 }
@@ -102,21 +116,43 @@ const DIFFUSION: &str = "convection-diffusion";
 /// The names of the systems, with the keys that each takes and its dimension if it has one.
 const KINDS: [(&str, &[&str], Option<usize>); 9] = [
     ("transport", &["velocity", "decay", "source"], None),
-    ("acoustics", &["density", "sound-speed"], None),
+    ("acoustics", &["density", "sound-speed", "source"], None),
     (
         "telegraph",
-        &["inductance", "capacitance", "resistance", "conductance"],
+        &[
+            "inductance",
+            "capacitance",
+            "resistance",
+            "conductance",
+            "source",
+        ],
         Some(1),
     ),
-    ("shallow-water", &["gravity", "depth", "coriolis"], Some(2)),
-    ("maxwell-te", &["permittivity", "permeability"], Some(2)),
-    ("elastic-waves", &["density", "lambda", "mu"], Some(2)),
+    (
+        "shallow-water",
+        &["gravity", "depth", "coriolis", "source"],
+        Some(2),
+    ),
+    (
+        "maxwell-te",
+        &["permittivity", "permeability", "source"],
+        Some(2),
+    ),
+    (
+        "elastic-waves",
+        &["density", "lambda", "mu", "source"],
+        Some(2),
+    ),
     (
         "linearised-gas",
-        &["density", "pressure", "gamma", "velocity"],
+        &["density", "pressure", "gamma", "velocity", "source"],
         None,
     ),
-    ("matrices", &["components", "flux", "decay", "names"], None),
+    (
+        "matrices",
+        &["components", "flux", "decay", "names", "source"],
+        None,
+    ),
     (
         DIFFUSION,
         &[
@@ -145,16 +181,19 @@ impl System {
             Self::MaxwellTe { .. } => "maxwell-te",
             Self::ElasticWaves { .. } => "elastic-waves",
             Self::LinearisedGas { .. } => "linearised-gas",
-            Self::Matrices { .. } => "matrices",
+            Self::Matrices { .. } | Self::VariableMatrices { .. } => "matrices",
             Self::ConvectionDiffusion(_) => DIFFUSION,
         }
     }
 
     /// The fastest wave that runs through what carries it; 0 for [`System::Transport`] and
-    /// [`System::ConvectionDiffusion`], and for [`System::Matrices`], whose eigenvalues tell.
+    /// [`System::ConvectionDiffusion`], and for matrices, whose eigenvalues tell.
     pub fn wave_speed(&self) -> f64 {
         match self {
-            Self::Transport { .. } | Self::Matrices { .. } | Self::ConvectionDiffusion(_) => 0.0,
+            Self::Transport { .. }
+            | Self::Matrices { .. }
+            | Self::VariableMatrices { .. }
+            | Self::ConvectionDiffusion(_) => 0.0,
             Self::Acoustics { sound_speed, .. } => *sound_speed,
             Self::Telegraph {
                 inductance,
@@ -215,7 +254,7 @@ impl System {
             Self::LinearisedGas { .. } => {
                 [named(&["density"]), velocity(), named(&["pressure"])].concat()
             }
-            Self::Matrices { names, .. } => names.clone(),
+            Self::Matrices { names, .. } | Self::VariableMatrices { names, .. } => names.clone(),
             Self::ConvectionDiffusion(diffusion) => diffusion.species.clone(),
         }
     }
@@ -235,6 +274,7 @@ pub(super) fn system(
     root: &Section<'_>,
     domain: &Domain,
     files: Files<'_>,
+    definitions: &Definitions<'_>,
 ) -> Result<System, Fault> {
     let section = root.required("system")?.section()?;
     let kind = section.required("kind")?;
@@ -253,9 +293,12 @@ pub(super) fn system(
     let number = |key, bound| section.number(key, bound);
     Ok(match name {
         "transport" => System::Transport {
-            velocity: field::field(&section.required("velocity")?, domain)?,
+            velocity: field::field(&section.required("velocity")?, domain, definitions)?,
             decay: section.number_or("decay", 0.0, NOT_NEGATIVE)?,
-            source: section.number_or("source", 0.0, ANY)?,
+            source: match section.optional("source") {
+                Some(entry) if !entry.is_text() && !entry.is_list() => entry.number(ANY)?,
+                _ => 0.0,
+            },
         },
         "acoustics" => System::Acoustics {
             density: section.number_or("density", 1.0, POSITIVE)?,
@@ -284,9 +327,13 @@ pub(super) fn system(
             velocity: velocity(&section, domain)?,
         },
         DIFFUSION => System::ConvectionDiffusion(Box::new(diffusion::convection_diffusion(
-            root, &section, domain, files,
+            root,
+            &section,
+            domain,
+            files,
+            definitions,
         )?)),
-        _ => matrices::matrices(&section, dimension)?,
+        _ => matrices::matrices(&section, dimension, definitions)?,
     })
 }
 

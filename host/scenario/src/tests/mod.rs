@@ -7,6 +7,7 @@ use miette::{GraphicalReportHandler, GraphicalTheme};
 use super::*;
 
 mod format;
+mod formulas;
 mod linear;
 mod set;
 

@@ -4,6 +4,7 @@ pub mod channel;
 pub mod diffusion;
 pub mod finite_volume;
 pub mod flow;
+pub mod formula;
 pub mod gresho;
 pub mod kelvin_helmholtz;
 pub mod linear;

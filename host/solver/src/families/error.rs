@@ -68,9 +68,50 @@ pub enum PlanError {
     #[error(transparent)]
     #[diagnostic(transparent)]
     Quadrature(#[from] QuadratureError),
+    /// A value at the start that is no number.
+    #[error("at t = 0 {component} = {value} at x = {position:?}")]
+    #[diagnostic(help(
+        "change [initial] so that it is an ordinary number everywhere in the domain"
+    ))]
+    Start {
+        /// Which component.
+        component: String,
+        /// What it is.
+        value: f64,
+        /// Where, in the scenario's units.
+        position: Vec<f64>,
+    },
+    /// A diffusivity that is negative or no number.
+    #[error(
+        "the diffusivity of {species} is {value} at x = {position:?}, t = {time}: need 0 or more"
+    )]
+    #[diagnostic(help(
+        "change system.diffusivity so that it is so everywhere in the domain, up to time.end"
+    ))]
+    Diffusivity {
+        /// Of which species.
+        species: String,
+        /// What it is.
+        value: f64,
+        /// Where, in the scenario's units.
+        position: Vec<f64>,
+        /// When.
+        time: f64,
+    },
     /// The exact solution, which the state at t = 0 is taken from.
     #[error("the scenario has no initial state: {0}")]
     Solution(#[from] SolutionError),
+    /// Matrices of formulas that are of no hyperbolic system somewhere.
+    #[error("at x = {position:?}, t = {time}: {source}")]
+    #[diagnostic(help("change system.flux so that it has a symmetriser everywhere (Remark 1)"))]
+    Place {
+        /// Where, in the scenario's units.
+        position: Vec<f64>,
+        /// When.
+        time: f64,
+        /// What is wrong there.
+        source: SymmetriserError,
+    },
     /// The matrices.
     #[error(transparent)]
     #[diagnostic(transparent)]

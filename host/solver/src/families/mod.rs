@@ -17,11 +17,13 @@ mod linear;
 pub mod strengths;
 mod table;
 
+use crate::exact::formula::FormulaSolution;
 use crate::exact::linear::error::SolutionError;
 use crate::exact::solution::Solution;
 use crate::run::{ENERGY, RECONSTRUCTION, STATE};
 use crate::scenario::AnyScenario;
-use crate::scenario::linear::{LinearScenario, System};
+use crate::scenario::formula::Formula;
+use crate::scenario::linear::{Exact, Initial, LinearScenario, System};
 pub use error::PlanError;
 pub use table::start;
 
@@ -64,11 +66,20 @@ impl Plan {
 /// What the state at t = 0 is taken from; `None` where a file holds it.
 fn initial(scenario: &LinearScenario) -> Result<Option<Box<dyn Solution>>, SolutionError> {
     match (&scenario.initial, &scenario.system) {
+        (Some(Initial::Formula { state } | Initial::Manufactured { state }), _) => {
+            Ok(Some(formulas(state)))
+        }
         (Some(initial), System::ConvectionDiffusion(of)) => {
             diffusion::start(scenario, of, initial).map(Some)
         }
         _ => linear::solution(scenario),
     }
+}
+
+/// What formulas say.
+fn formulas(components: &[Formula]) -> Box<dyn Solution> {
+    let components = components.to_vec();
+    Box::new(FormulaSolution { components })
 }
 
 /// Why a scenario has no exact solution after all.
@@ -105,10 +116,13 @@ pub fn solution_watched(
         }
         AnyScenario::Linear(scenario) => scenario,
     };
-    if !scenario.output.exact {
-        return Ok(None);
+    match &scenario.output.exact {
+        None => return Ok(None),
+        Some(Exact::Formula(components)) => return Ok(Some(formulas(components))),
+        Some(Exact::Initial) => {}
     }
     Ok(match (&scenario.initial, &scenario.system) {
+        (Some(Initial::Manufactured { state }), _) => Some(formulas(state)),
         (Some(initial), System::ConvectionDiffusion(of)) => {
             Some(diffusion::solution(scenario, of, initial)?)
         }

@@ -3,7 +3,7 @@
 use motes_core::equation::linear::FirstOrderSystem;
 
 use super::diffusion::Diffusion;
-use super::linear::FirstOrder;
+use super::linear::{FirstOrder, Sourced};
 use super::strengths::Maker;
 use super::{Plan, gas, strengths};
 use crate::engine::{HostScalar, Threads};
@@ -31,29 +31,53 @@ pub fn start<S: HostScalar>(
     };
     let (dimension, components) = (plan.dimension, plan.names.len());
     let maker = match (&plan.system, dimension, components) {
-        (System::Transport { .. }, 1, _) => first_order::<S, _, 1, 1>(plan.transport()),
-        (System::Transport { .. }, 2, _) => first_order::<S, _, 2, 1>(plan.transport()),
-        (System::Transport { .. }, ..) => first_order::<S, _, 3, 1>(plan.transport()),
-        (System::Acoustics { .. }, 1, _) => first_order::<S, _, 1, 2>(plan.acoustics()),
-        (System::Acoustics { .. }, 2, _) => first_order::<S, _, 2, 3>(plan.acoustics()),
-        (System::Acoustics { .. }, ..) => first_order::<S, _, 3, 4>(plan.acoustics()),
-        (System::Telegraph { .. }, ..) => first_order::<S, _, 1, 2>(plan.telegraph()),
-        (System::ShallowWater { .. }, ..) => first_order::<S, _, 2, 3>(plan.shallow_water()),
-        (System::MaxwellTe { .. }, ..) => first_order::<S, _, 2, 3>(plan.maxwell()),
-        (System::ElasticWaves { .. }, ..) => first_order::<S, _, 2, 5>(plan.elastic_waves()),
-        (System::LinearisedGas { .. }, 1, _) => first_order::<S, _, 1, 3>(plan.linearised_gas()),
-        (System::LinearisedGas { .. }, 2, _) => first_order::<S, _, 2, 4>(plan.linearised_gas()),
-        (System::LinearisedGas { .. }, ..) => first_order::<S, _, 3, 5>(plan.linearised_gas()),
+        (System::Transport { .. }, 1, _) => first_order::<S, _, 1, 1>(&plan, plan.transport()),
+        (System::Transport { .. }, 2, _) => first_order::<S, _, 2, 1>(&plan, plan.transport()),
+        (System::Transport { .. }, ..) => first_order::<S, _, 3, 1>(&plan, plan.transport()),
+        (System::Acoustics { .. }, 1, _) => first_order::<S, _, 1, 2>(&plan, plan.acoustics()),
+        (System::Acoustics { .. }, 2, _) => first_order::<S, _, 2, 3>(&plan, plan.acoustics()),
+        (System::Acoustics { .. }, ..) => first_order::<S, _, 3, 4>(&plan, plan.acoustics()),
+        (System::Telegraph { .. }, ..) => first_order::<S, _, 1, 2>(&plan, plan.telegraph()),
+        (System::ShallowWater { .. }, ..) => first_order::<S, _, 2, 3>(&plan, plan.shallow_water()),
+        (System::MaxwellTe { .. }, ..) => first_order::<S, _, 2, 3>(&plan, plan.maxwell()),
+        (System::ElasticWaves { .. }, ..) => first_order::<S, _, 2, 5>(&plan, plan.elastic_waves()),
+        (System::LinearisedGas { .. }, 1, _) => {
+            first_order::<S, _, 1, 3>(&plan, plan.linearised_gas())
+        }
+        (System::LinearisedGas { .. }, 2, _) => {
+            first_order::<S, _, 2, 4>(&plan, plan.linearised_gas())
+        }
+        (System::LinearisedGas { .. }, ..) => {
+            first_order::<S, _, 3, 5>(&plan, plan.linearised_gas())
+        }
         // Of a system given by its matrices: the least that hold its components.
-        (System::Matrices { .. }, 1, 0..=2) => first_order::<S, _, 1, 2>(plan.matrices()),
-        (System::Matrices { .. }, 1, 3..=4) => first_order::<S, _, 1, 4>(plan.matrices()),
-        (System::Matrices { .. }, 1, _) => first_order::<S, _, 1, 8>(plan.matrices()),
-        (System::Matrices { .. }, 2, 0..=2) => first_order::<S, _, 2, 2>(plan.matrices()),
-        (System::Matrices { .. }, 2, 3..=4) => first_order::<S, _, 2, 4>(plan.matrices()),
-        (System::Matrices { .. }, 2, _) => first_order::<S, _, 2, 8>(plan.matrices()),
-        (System::Matrices { .. }, _, 0..=2) => first_order::<S, _, 3, 2>(plan.matrices()),
-        (System::Matrices { .. }, _, 3..=4) => first_order::<S, _, 3, 4>(plan.matrices()),
-        (System::Matrices { .. }, ..) => first_order::<S, _, 3, 8>(plan.matrices()),
+        (System::Matrices { .. }, 1, 0..=2) => first_order::<S, _, 1, 2>(&plan, plan.matrices()),
+        (System::Matrices { .. }, 1, 3..=4) => first_order::<S, _, 1, 4>(&plan, plan.matrices()),
+        (System::Matrices { .. }, 1, _) => first_order::<S, _, 1, 8>(&plan, plan.matrices()),
+        (System::Matrices { .. }, 2, 0..=2) => first_order::<S, _, 2, 2>(&plan, plan.matrices()),
+        (System::Matrices { .. }, 2, 3..=4) => first_order::<S, _, 2, 4>(&plan, plan.matrices()),
+        (System::Matrices { .. }, 2, _) => first_order::<S, _, 2, 8>(&plan, plan.matrices()),
+        (System::Matrices { .. }, _, 0..=2) => first_order::<S, _, 3, 2>(&plan, plan.matrices()),
+        (System::Matrices { .. }, _, 3..=4) => first_order::<S, _, 3, 4>(&plan, plan.matrices()),
+        (System::Matrices { .. }, ..) => first_order::<S, _, 3, 8>(&plan, plan.matrices()),
+        (System::VariableMatrices { .. }, 1, 0..=2) => {
+            first_order::<S, _, 1, 2>(&plan, plan.variable_matrices())
+        }
+        (System::VariableMatrices { .. }, 1, _) => {
+            first_order::<S, _, 1, 8>(&plan, plan.variable_matrices())
+        }
+        (System::VariableMatrices { .. }, 2, 0..=4) => {
+            first_order::<S, _, 2, 4>(&plan, plan.variable_matrices())
+        }
+        (System::VariableMatrices { .. }, 2, _) => {
+            first_order::<S, _, 2, 8>(&plan, plan.variable_matrices())
+        }
+        (System::VariableMatrices { .. }, _, 0..=4) => {
+            first_order::<S, _, 3, 4>(&plan, plan.variable_matrices())
+        }
+        (System::VariableMatrices { .. }, ..) => {
+            first_order::<S, _, 3, 8>(&plan, plan.variable_matrices())
+        }
         (System::ConvectionDiffusion(of), 1, 1) => Diffusion::<S, 1, 1>::maker(of),
         (System::ConvectionDiffusion(of), 1, _) => Diffusion::<S, 1, 4>::maker(of),
         (System::ConvectionDiffusion(of), 2, 1) => Diffusion::<S, 2, 1>::maker(of),
@@ -66,14 +90,17 @@ pub fn start<S: HostScalar>(
 }
 
 /// Makes the solver of a first-order system, which the table above asks a plan of that system for.
-fn first_order<S, F, const D: usize, const P: usize>(system: Option<F>) -> Maker<S>
+fn first_order<S, F, const D: usize, const P: usize>(
+    plan: &strengths::Plan,
+    system: Option<F>,
+) -> Maker<S>
 where
     S: HostScalar,
     F: FirstOrderSystem<S, D, P> + Send + 'static,
     F::Medium: Send,
 {
     match system {
-        Some(system) => FirstOrder::<S, F, D, P>::maker(system),
+        Some(system) => FirstOrder::<S, Sourced<F>, D, P>::maker(Sourced::new(system, plan)),
         None => unreachable!("the table asks a plan for its own system"),
     }
 }

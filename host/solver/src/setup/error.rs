@@ -95,6 +95,21 @@ pub enum SetupError {
     #[error("the profile does not exist: {0}")]
     #[diagnostic(help("change the numbers of [profile]"))]
     Profile(#[from] crate::exact::flow::FlowError),
+    /// A formula that gives a state that no gas can have.
+    #[error("at t = 0 the {quantity} is {value} at x = {position:?}: need {need}")]
+    #[diagnostic(help(
+        "change the formulas of [profile] so that it is so everywhere in the domain"
+    ))]
+    State {
+        /// Which quantity.
+        quantity: &'static str,
+        /// What it is.
+        value: f64,
+        /// What it should be.
+        need: &'static str,
+        /// Where, in the scenario's units.
+        position: Vec<f64>,
+    },
     /// More particles than ids.
     #[error("{particles} particles are more than this build can number ({limit})")]
     #[diagnostic(help("use fewer particles (-n, resolution.particles)"))]

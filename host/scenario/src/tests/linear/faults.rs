@@ -74,7 +74,7 @@ const LINE_FAULTS: &[Case] = &[
     ("\"acoustics\"", "\"telegraph\"\ninductance = 1.0\ncapacitance = 1.0\nresistance = -1.0", "resistance", "system.resistance = -1.0", "0 or a positive"),
     ("\"acoustics\"", "\"linearised-gas\"\ndensity = 1.0\npressure = 1.0\ngamma = 1.0", "gamma", "system.gamma = 1.0", "need > 1"),
     ("\"acoustics\"", "\"transport\"\ndecay = 1.0", "[system]", "`velocity` is missing in [system]", "kind = \"rotation\""),
-    ("\"acoustics\"", "\"transport\"\nvelocity = [1.0]", "velocity", "system.velocity = [1.0] is a list, need a section", "kind = \"rotation\""),
+    ("\"acoustics\"", "\"transport\"\nvelocity = 1.0", "velocity", "system.velocity = 1.0 is a number with a fraction, need a section", "kind = \"rotation\""),
     // The motion.
     ("[system]", "[motion]\nkind = \"swirl\"\n[system]", "kind", "motion.kind = \"swirl\" is unknown", "known: still, uniform, rotation"),
     ("[system]", "[motion]\nkind = \"flow\"\n[system]", "kind", "acoustics has no velocity that could be followed", "\"still\""),
@@ -225,7 +225,7 @@ fn a_matrix_of_another_size_is_named_with_its_row() {
         ),
         (
             "flux = [[[0.0, \"a\"], [1.0, 0.0]]]",
-            ["system.flux.0.0.1 = \"a\"", "need a number"],
+            ["system.flux.0.0.1 = \"a\"", "there is no `a` here"],
         ),
         (
             &format!("{FLUX}\ndecay = [[1.0, 0.0], [1.0]]"),

@@ -1,6 +1,6 @@
 //! Linear systems: what their sections read as, and the defaults.
 
-use super::super::linear::{Arrangement, Field, Initial, Measured, Method, System};
+use super::super::linear::{Arrangement, Exact, Field, Initial, Measured, Method, System};
 use super::*;
 use crate::fineness;
 
@@ -98,7 +98,7 @@ fn what_is_left_out_takes_its_default() {
     assert_eq!((time.step, time.growth_margin), (None, 0.1));
     let output = &scenario.output;
     assert_eq!(output.window, scenario.domain.extent);
-    assert_eq!((output.samples, output.exact), (100, false));
+    assert_eq!((output.samples, &output.exact), (100, &None));
     assert_eq!((output.snapshots, &output.probe), (None, &None));
     assert!(scenario.tolerances.is_empty());
 }
@@ -211,7 +211,7 @@ fn every_section_reads_as_written() {
     let time = &scenario.time;
     assert_eq!((time.method, time.courant), (Method::SspRk3, 0.25));
     assert_eq!((time.step, time.growth_margin), (Some(0.001), 0.2));
-    assert!(scenario.output.exact);
+    assert_eq!(scenario.output.exact, Some(Exact::Initial));
     let probe = scenario.output.probe.unwrap();
     let places: Vec<f64> = (0..5).map(|i| probe.coordinate(0, i)).collect();
     assert_eq!(places, [0.5, 0.75, 1.0, 1.25, 1.5]);

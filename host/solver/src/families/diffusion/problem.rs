@@ -7,6 +7,7 @@ use motes_core::equation::diffusion::{
 };
 use motes_core::scalar::Scalar;
 
+use super::formulas::{Formulas, RunProblem};
 use crate::families::strengths::Plan;
 use crate::scenario::linear as scenario;
 use crate::scenario::linear::{ConvectionDiffusion, System, WallCondition};
@@ -17,6 +18,7 @@ pub struct Media<S> {
     factors: Vec<S>,
     /// By direction, end and species; empty where nothing changes in time.
     series: Vec<[Vec<Series<S>>; 2]>,
+    formulas: Formulas,
 }
 
 /// Times and values.
@@ -91,11 +93,24 @@ impl Plan {
             bounds: bounds.iter().map(|&x| S::from_f64(self.along(x))).collect(),
             factors: factors.iter().map(|&factor| S::from_f64(factor)).collect(),
             series: problem.walls.iter().map(ends).collect(),
+            formulas: Formulas::new(self, problem),
         }
     }
 
     /// The problem, with nothing for species beyond those of the plan.
     pub fn problem<'a, S: Scalar, const D: usize, const P: usize>(
+        &self,
+        of: &ConvectionDiffusion,
+        media: &'a Media<S>,
+    ) -> RunProblem<'a, S, D, P> {
+        RunProblem {
+            named: self.named_problem(of, media),
+            formulas: &media.formulas,
+        }
+    }
+
+    /// The same without what formulas give: the problem of a device.
+    pub fn named_problem<'a, S: Scalar, const D: usize, const P: usize>(
         &self,
         of: &ConvectionDiffusion,
         media: &'a Media<S>,
@@ -109,7 +124,9 @@ impl Plan {
                     .map_or(S::ZERO, |b| S::from_f64(b / unit))
             }),
             conductor: match of.profile {
-                scenario::Conductor::Uniform => Conductor::Uniform,
+                scenario::Conductor::Uniform | scenario::Conductor::Formula { .. } => {
+                    Conductor::Uniform
+                }
                 scenario::Conductor::Parabola { center, radius } => Conductor::Parabola {
                     center: number(self.along(center)),
                     radius: number(radius / self.units.length),
@@ -172,7 +189,7 @@ impl Plan {
         let time = self.unit_of_time();
         let rate = |rate: f64| S::from_f64(rate * time);
         match of {
-            scenario::Reaction::None => Reaction::None,
+            scenario::Reaction::None | scenario::Reaction::Formula { .. } => Reaction::None,
             scenario::Reaction::Linear { matrix, source } => {
                 let p = source.len();
                 Reaction::Linear {

@@ -5,17 +5,18 @@ use std::sync::Arc;
 use motes_core::cutoff::Named;
 use motes_core::digest::Digest;
 use motes_core::equation::diffusion::{
-    DiffusionDynamics, DiffusionProblem, DrivenCondition, Form, NamedProblem, Reaction,
+    DiffusionDynamics, DiffusionProblem, DrivenCondition, Form, Reaction,
 };
-use motes_core::equation::linear::{NamedField, State, VelocityField};
+use motes_core::equation::linear::{State, VelocityField};
 use motes_core::error::Error;
 use motes_core::integrator::{MOST_STAGES, Rkl2, RungeKutta};
 use motes_core::scalar::Scalar;
 
+use super::formulas::RunProblem;
 use super::memory::DiffusionArrays;
 use super::problem::{Media, form};
 use crate::engine::{HostScalar, Threads};
-use crate::families::strengths::{CloudView, Maker, Plan, Solver, Source, row};
+use crate::families::strengths::{CloudView, Maker, Plan, RunField, Solver, Source, row};
 use crate::scenario::linear::{ConvectionDiffusion, Method};
 
 /// How its steps are made.
@@ -47,7 +48,7 @@ struct Planned<S> {
 }
 
 type Dynamics<'a, S, const D: usize, const P: usize> =
-    DiffusionDynamics<S, Named, NamedProblem<'a, S, D, P>, NamedField<S, D>, D, P>;
+    DiffusionDynamics<S, Named, RunProblem<'a, S, D, P>, RunField<S, D>, D, P>;
 
 /// The fewest steps of a run whose step is not given: with steps of second order a wave that falls to
 /// `1/e` is off by some 1e-5 then.
@@ -101,7 +102,7 @@ impl<S: Scalar> Planned<S> {
 
 /// Whether something comes in through a wall.
 fn is_driven<S: Scalar, const D: usize, const P: usize>(dynamics: &Dynamics<'_, S, D, P>) -> bool {
-    let mut walls = dynamics.problem.walls.iter().flatten().flatten();
+    let mut walls = dynamics.problem.named.walls.iter().flatten().flatten();
     walls.any(|wall| *wall != DrivenCondition::NoFlux)
 }
 
@@ -205,7 +206,10 @@ impl<S: HostScalar, const D: usize, const P: usize> Solver<S> for Diffusion<S, D
     /// Diffusion by itself takes from the norm; the flow may squeeze it, a reaction feed it.
     fn growth(&self) -> Option<f64> {
         let dynamics = self.planned.dynamics::<D, P>();
-        let problem = &dynamics.problem;
+        let problem = &dynamics.problem.named;
+        if !dynamics.problem.formulas.rates.is_empty() {
+            return None;
+        }
         // Of pairs along which a tensor counts below 0, diffusion may give to the norm.
         if is_driven(&dynamics) || problem.tensor.is_some() && dynamics.form == Form::Direct {
             return None;
@@ -244,9 +248,9 @@ impl<S: HostScalar, const D: usize, const P: usize> Solver<S> for Diffusion<S, D
             ..dynamics
         };
         direct.rates(engine, state, work, time)?;
-        let reacted = dynamics.problem.reaction_rate();
+        let reacted = direct.problem.reaction_rate();
         let fastest = (direct.radius(state, work)? - reacted).to_f64();
-        let squared = dynamics.epsilon.to_f64() * dynamics.epsilon.to_f64();
+        let squared = direct.epsilon.to_f64() * direct.epsilon.to_f64();
         let scale = squared * fastest;
         let rows = mixed.iter().zip(work.last.iter());
         let mut off = 0.0;

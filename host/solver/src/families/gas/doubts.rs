@@ -27,7 +27,7 @@ pub(super) fn doubts(scenario: &Scenario, placed: &[Placed]) -> Vec<String> {
 
 /// A solution of Euler's equations beside a run of others: what those do counts as an error.
 fn other_equations(scenario: &Scenario) -> Option<String> {
-    if scenario.output.exact? == Exact::Channel {
+    if matches!(scenario.output.exact?, Exact::Channel | Exact::Formula) {
         return None;
     }
     let diffusion = &scenario.diffusion;

@@ -4,7 +4,7 @@ use crate::exact::flow::{Flow, FlowError, FlowState};
 use crate::exact::riemann::{GasState, RiemannError, RiemannFlow, RiemannSolution, between};
 use crate::exact::sedov::SedovProblem;
 use crate::exact::solution::Solution;
-use crate::flows::{channel_flow, profile_flow, reference};
+use crate::flows::{channel_flow, formula_flow, profile_flow, reference, start};
 use crate::scenario::{EquationOfState, Exact, Region, Scenario, Side};
 
 /// The fields that a solution has, in the order of tables and pictures.
@@ -65,13 +65,17 @@ impl ExactSolution {
             }
             Some(Exact::Sedov) => of(Box::new(sedov(scenario)?), None),
             Some(Exact::Reference) => of(Box::new(reference(scenario, progress)?), None),
+            Some(Exact::Formula) => {
+                let formulas = scenario.output.formulas.as_ref();
+                formulas.and_then(|state| of(Box::new(formula_flow(scenario, state)), None))
+            }
             Some(Exact::Channel) => match channel_flow(scenario)? {
                 Some(flow) => of(Box::new(flow), None),
                 None => None,
             },
         };
         if let Some(solution) = &mut solution {
-            let why = solution.felt(scenario);
+            let why = solution.felt(scenario).or_else(|| reference_felt(scenario));
             solution.doubt = why.map(|why| format!("{why}: the exact solution may not hold there"));
         }
         Ok(solution)
@@ -184,6 +188,35 @@ impl Solution for ExactSolution {
     fn doubt(&self) -> Option<String> {
         self.doubt.clone()
     }
+}
+
+/// Why a finite-volume reference may not be the run's: at a free end gas runs out into nothing, in the
+/// reference it goes on as it is.
+fn reference_felt(scenario: &Scenario) -> Option<String> {
+    if scenario.output.exact != Some(Exact::Reference) {
+        return None;
+    }
+    let start = start(scenario).ok()?;
+    let (extent, window) = (&scenario.domain.extent, &scenario.output.window);
+    let law = &scenario.materials[0].law;
+    for (end, side) in scenario.domain.sides[0].iter().enumerate() {
+        if *side != Side::Free {
+            continue;
+        }
+        let place = [extent.lower[0], extent.upper[0]][end];
+        let gas = start([place, 0.0, 0.0]);
+        let sound = law.sound_speed_squared(gas.density, gas.energy).sqrt();
+        let inward = [1.0, -1.0][end] * gas.velocity[0] + sound;
+        let distance = [window.lower[0] - place, place - window.upper[0]][end];
+        if distance < inward * scenario.time.end {
+            return Some(format!(
+                "gas runs out at the {} end of the domain, which the reference does not see, and that may \
+                 be felt in the window",
+                ENDS[end]
+            ));
+        }
+    }
+    None
 }
 
 /// What the ends of a direction are called.

@@ -47,7 +47,9 @@ pub(in crate::families) fn solution(
         Initial::Uniform { .. }
         | Initial::Band { .. }
         | Initial::Legendre { .. }
-        | Initial::Spots { .. } => return Ok(None),
+        | Initial::Spots { .. }
+        | Initial::Formula { .. }
+        | Initial::Manufactured { .. } => return Ok(None),
     };
     Ok(Some(solution))
 }

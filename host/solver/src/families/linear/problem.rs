@@ -1,19 +1,18 @@
 //! The system of a plan in the scalar of a run.
 
-use motes_core::equation::linear::NamedField;
 use motes_core::equation::linear::systems::{
     Acoustics, ElasticWaves, LinearisedGas, Matrices, MaxwellTe, ShallowWater, Telegraph, Transport,
 };
 use motes_core::scalar::Scalar;
 
-use crate::families::strengths::{Plan, PlannedField};
+use crate::families::strengths::{Plan, RunField, row_sum};
 use crate::scenario::linear::System;
 
 impl Plan {
     /// The system of transport; `None` for another one, as of all below.
     pub(in crate::families) fn transport<S: Scalar, const D: usize>(
         &self,
-    ) -> Option<Transport<S, NamedField<S, D>>> {
+    ) -> Option<Transport<S, RunField<S, D>>> {
         let System::Transport {
             velocity,
             decay,
@@ -22,12 +21,8 @@ impl Plan {
         else {
             return None;
         };
-        let field = PlannedField {
-            field: velocity.clone(),
-            ..self.field.clone()
-        };
         Some(Transport {
-            velocity: field.named(),
+            velocity: self.field.with(velocity, self.duration).run(),
             decay: S::from_f64(decay * self.unit_of_time()),
             source: S::from_f64(source * self.unit_of_time()),
         })
@@ -148,11 +143,4 @@ impl Plan {
             growth: S::from_f64(time * symmetriser.growth(decay)),
         })
     }
-}
-
-/// The largest sum of `|coefficients|` of a row: a bound of the eigenvalues.
-fn row_sum(matrix: &[f64], size: usize) -> f64 {
-    let rows = matrix.chunks_exact(size);
-    rows.map(|row| row.iter().map(|a| a.abs()).sum())
-        .fold(0.0, f64::max)
 }

@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use motes_core::cutoff::Named;
 use motes_core::digest::Digest;
-use motes_core::equation::linear::{FirstOrderSystem, LinearDynamics, NamedField, Place};
+use motes_core::equation::linear::{FirstOrderSystem, LinearDynamics, Place};
 use motes_core::error::Error;
 use motes_core::integrator::RungeKutta;
 use motes_core::scalar::Scalar;
 
 use super::memory::LinearArrays;
 use crate::engine::{HostScalar, Threads};
-use crate::families::strengths::{CloudView, Maker, Plan, Solver, row};
+use crate::families::strengths::{CloudView, Maker, Plan, RunField, Solver, row};
 
 /// A first-order system (1.18), stepped by a Runge-Kutta method.
 pub(in crate::families) struct FirstOrder<S, F, const D: usize, const P: usize>
@@ -19,8 +19,10 @@ where
     S: HostScalar,
     F: FirstOrderSystem<S, D, P>,
 {
-    dynamics: LinearDynamics<S, Named, F, NamedField<S, D>, D, P>,
+    dynamics: LinearDynamics<S, Named, F, RunField<S, D>, D, P>,
     method: RungeKutta,
+    /// Whether the system says how fast its energy norm may grow.
+    is_bounded: bool,
     memory: LinearArrays<S, F::Medium, D, P>,
 }
 
@@ -44,6 +46,8 @@ where
                         S::from_f64(plan.courant),
                     ),
                     method: plan.runge_kutta(),
+                    // That of matrices of formulas is the norm of u itself.
+                    is_bounded: plan.waves.is_none(),
                     memory: LinearArrays::new(particles.rows()),
                 })
             }),
@@ -117,7 +121,8 @@ where
         rates.copy_from_slice(&source);
     }
     fn growth(&self) -> Option<f64> {
-        Some(Scalar::to_f64(self.dynamics.system.growth()))
+        self.is_bounded
+            .then(|| Scalar::to_f64(self.dynamics.system.growth()))
     }
     fn order(&self) -> u32 {
         self.method.order

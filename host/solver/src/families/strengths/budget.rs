@@ -3,6 +3,7 @@
 
 use crate::exact::linear::modes::exponential::{exponential, product};
 use crate::scenario::Side;
+use crate::scenario::formula::Formula;
 use crate::scenario::linear::{LinearScenario, Reaction, System};
 
 /// What becomes of the sums of a run.
@@ -18,7 +19,10 @@ impl Budget {
     /// That of a scenario.
     pub fn of(scenario: &LinearScenario) -> Self {
         let names = scenario.system.names(scenario.dimension);
-        let losses = losses(&scenario.system);
+        let losses = match scenario.source {
+            Some(_) => None,
+            None => losses(&scenario.system),
+        };
         let known = match &losses {
             None => vec![false; names.len()],
             Some(losses) => {
@@ -77,6 +81,10 @@ fn losses(system: &System) -> Option<Vec<f64>> {
             vec![0.0, 0.0, 0.0, 0.0, 0.0, -f, 0.0, *f, 0.0]
         }
         System::Matrices { decay, .. } => decay.clone(),
+        System::VariableMatrices { decay, .. } => {
+            let numbers: Option<Vec<f64>> = decay.iter().map(Formula::value).collect();
+            numbers?
+        }
         System::ConvectionDiffusion(problem) => match &problem.reaction {
             Reaction::None => Vec::new(),
             Reaction::Linear { matrix, source } if source.iter().all(|&f| f == 0.0) => {
@@ -120,6 +128,8 @@ fn passes_walls(scenario: &LinearScenario, component: &str) -> bool {
         // A wall on which a solid slides: the shear is odd, as what is normal.
         System::ElasticWaves { .. } => walls
             .any(|(axis, _)| component == "stress_xy" || component == format!("velocity_{axis}")),
-        System::Matrices { .. } | System::ConvectionDiffusion(_) => true,
+        System::Matrices { .. }
+        | System::VariableMatrices { .. }
+        | System::ConvectionDiffusion(_) => true,
     }
 }

@@ -140,7 +140,12 @@ fn resolution(scenario: &LinearScenario, spacing: f64) -> Option<String> {
     let extent = &scenario.domain.extent;
     let (what, length, least) = match scenario.initial.as_ref()? {
         Initial::Gaussian { width, .. } => ("width of the Gaussian", *width, 2.0),
-        Initial::ExpSine | Initial::Uniform { .. } | Initial::Legendre { .. } => return None,
+        // What a formula varies over is not known.
+        Initial::ExpSine
+        | Initial::Uniform { .. }
+        | Initial::Legendre { .. }
+        | Initial::Formula { .. }
+        | Initial::Manufactured { .. } => return None,
         Initial::Band { width, .. } => ("width of an edge", *width, 2.0),
         Initial::Spots { width, .. } => ("width of a spot", *width, 2.0),
         Initial::PlaneWave { wave, .. }

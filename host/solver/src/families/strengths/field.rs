@@ -6,30 +6,172 @@ use motes_core::equation::linear::{
 };
 use motes_core::scalar::Scalar;
 
+use super::frame::{BETWEEN, Frame, all_over, times};
 use crate::scenario::Extent;
-use crate::scenario::linear::Field;
+use crate::scenario::linear::{Field, FormulaField};
 
 /// A scenario's field, and what it takes to see it in solver units.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::families) struct PlannedField {
-    /// It.
-    pub field: Field,
+    field: Field,
     /// Of the domain, in the scenario's units.
-    pub extent: Extent,
-    /// What the solver units are.
-    pub units: Units,
+    extent: Extent,
+    units: Units,
+    /// Of a field of formulas.
+    steepest: Steepest,
+}
+
+/// Bounds of the slopes of a field, in the scenario's units.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Steepest {
+    /// Of `|∂_i a^j|`.
+    gradient: f64,
+    /// Of `-div a`.
+    convergence: f64,
+}
+
+/// A field in the scalar and dimension of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub enum RunField<S, const D: usize> {
+    /// One that the core has.
+    Named(NamedField<S, D>),
+    /// Formulas.
+    Formula(Box<ScaledField>),
+}
+
+/// A field of formulas, seen in solver units. What it computes is an `f64`, rounded once to the
+/// scalar.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ScaledField {
+    field: FormulaField,
+    frame: Frame,
+    steepest: Steepest,
+}
+
+impl ScaledField {
+    /// A slope in solver units.
+    fn slope<S: Scalar>(&self, slope: f64) -> S {
+        S::from_f64(slope * self.frame.time())
+    }
+}
+
+impl<S: Scalar, const D: usize> VelocityField<S, D> for ScaledField {
+    fn velocity(&self, place: &Place<S, D>) -> [S; D] {
+        let point = self.frame.point(place);
+        let of = |i: usize| self.field.velocity.get(i).map_or(0.0, |of| of.at(&point));
+        std::array::from_fn(|i| S::from_f64(of(i) / self.frame.units.velocity))
+    }
+    fn divergence(&self, place: &Place<S, D>) -> S {
+        let point = self.frame.point(place);
+        self.slope(divergence(&self.field, &point))
+    }
+    fn gradient(&self) -> S {
+        self.slope(self.steepest.gradient)
+    }
+    fn convergence(&self) -> S {
+        self.slope(self.steepest.convergence)
+    }
+}
+
+impl<S: Scalar, const D: usize> VelocityField<S, D> for RunField<S, D> {
+    fn velocity(&self, place: &Place<S, D>) -> [S; D] {
+        match self {
+            Self::Named(field) => field.velocity(place),
+            Self::Formula(field) => field.velocity(place),
+        }
+    }
+    fn divergence(&self, place: &Place<S, D>) -> S {
+        match self {
+            Self::Named(field) => field.divergence(place),
+            Self::Formula(field) => field.divergence(place),
+        }
+    }
+    fn gradient(&self) -> S {
+        match self {
+            Self::Named(field) => field.gradient(),
+            Self::Formula(field) => VelocityField::<S, D>::gradient(&**field),
+        }
+    }
+    fn convergence(&self) -> S {
+        match self {
+            Self::Named(field) => field.convergence(),
+            Self::Formula(field) => VelocityField::<S, D>::convergence(&**field),
+        }
+    }
+    fn is_still(&self) -> bool {
+        match self {
+            Self::Named(field) => field.is_still(),
+            Self::Formula(_) => false,
+        }
+    }
+}
+
+/// `Σ_i ∂_i a_i`.
+fn divergence(field: &FormulaField, point: &[f64]) -> f64 {
+    let dimension = field.velocity.len();
+    let diagonal = field.slopes.iter().step_by(dimension + 1);
+    diagonal.map(|slope| slope.at(point)).sum()
+}
+
+impl Steepest {
+    /// That of a field over a box, from 0 to a time.
+    fn of(field: &FormulaField, extent: &Extent, duration: f64) -> Self {
+        let mut steepest = Self::default();
+        for time in times(duration) {
+            all_over(extent, time, |point| {
+                let slopes = field.slopes.iter().map(|slope| slope.at(point).abs());
+                steepest.gradient = slopes.fold(steepest.gradient, f64::max);
+                let converges = -divergence(field, point);
+                steepest.convergence = steepest.convergence.max(converges);
+            });
+        }
+        Self {
+            gradient: BETWEEN * steepest.gradient,
+            convergence: BETWEEN * steepest.convergence,
+        }
+    }
 }
 
 impl PlannedField {
+    /// A field over a box, from 0 to a time.
+    pub fn new(field: &Field, extent: &Extent, units: Units, duration: f64) -> Self {
+        Self {
+            steepest: match field {
+                Field::Formula(field) => Steepest::of(field, extent, duration),
+                _ => Steepest::default(),
+            },
+            field: field.clone(),
+            extent: extent.clone(),
+            units,
+        }
+    }
+
+    /// Another field over the same box.
+    pub fn with(&self, field: &Field, duration: f64) -> Self {
+        Self::new(field, &self.extent, self.units, duration)
+    }
+
     /// The field in the scalar and dimension of a run.
-    pub fn named<S: Scalar, const D: usize>(&self) -> NamedField<S, D> {
+    pub fn run<S: Scalar, const D: usize>(&self) -> RunField<S, D> {
+        let Field::Formula(field) = &self.field else {
+            return RunField::Named(self.named());
+        };
+        RunField::Formula(Box::new(ScaledField {
+            field: field.clone(),
+            frame: Frame::new(&self.extent, self.units),
+            steepest: self.steepest,
+        }))
+    }
+
+    /// One that the core has, in the scalar and dimension of a run; of formulas none.
+    fn named<S: Scalar, const D: usize>(&self) -> NamedField<S, D> {
         let Units { length, velocity } = self.units;
         let rate = |rate: f64| S::from_f64(rate * length / velocity);
         let center = |center: &[f64]| {
             std::array::from_fn(|i| S::from_f64((center[i] - self.middle(i)) / length))
         };
         match &self.field {
-            Field::Still => NamedField::Still,
+            Field::Still | Field::Formula(_) => NamedField::Still,
             Field::Uniform { velocity: u } => NamedField::Uniform(Uniform {
                 velocity: std::array::from_fn(|i| S::from_f64(u[i] / velocity)),
             }),
@@ -83,7 +225,7 @@ impl PlannedField {
             position: std::array::from_fn(|i| position[i]),
             time: 0.0,
         };
-        let velocity = self.named::<f64, D>().velocity(&place);
+        let velocity = self.run::<f64, D>().velocity(&place);
         std::array::from_fn(|i| velocity.get(i).copied().unwrap_or(0.0))
     }
 }

@@ -58,5 +58,7 @@ pub(in crate::families) fn flow(scenario: &LinearScenario, field: &Field) -> Flo
             lower: scenario.domain.extent.lower[0],
             length: length(scenario, 0),
         },
+        // Nothing but the state at t = 0 is asked for then.
+        Field::Formula(_) => Flow::Still,
     }
 }

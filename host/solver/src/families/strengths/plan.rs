@@ -5,24 +5,28 @@
 
 use motes_core::cutoff::Named;
 use motes_core::domain::{Axis, Domain, Side};
-use motes_core::equation::linear::NamedField;
 use motes_core::equation::linear::Particle;
 use motes_core::equation::linear::systems::Units;
 use motes_core::integrator::{RK4, RungeKutta, SSP_RK3};
 use motes_core::scalar::Scalar;
 
 use super::budget::Budget;
+use super::diffusivity;
 use super::doubts::doubts;
-use super::field::PlannedField;
+use super::field::{PlannedField, RunField};
+use super::frame::Frame;
+use super::jumps;
 use super::layers;
 use super::particles::{Particles, particle};
 use super::quadrature::Quadrature;
+use super::waves::Waves;
 use crate::exact::linear::error::SolutionError;
 use crate::exact::solution::Solution;
 use crate::families::PlanError;
 use crate::run::{RunError, check_memory, check_numbers};
+use crate::scenario::formula::Formula;
 use crate::scenario::linear::{Field, LinearScenario, Method, System};
-use crate::scenario::{self, Width};
+use crate::scenario::{self, Extent, Width};
 use crate::symmetriser::Symmetriser;
 
 /// A run of a linear system in solver units. Vectors have three components; those beyond the
@@ -35,6 +39,8 @@ pub struct Plan {
     pub units: Units,
     /// The middle of the domain, in the scenario's units: 0 for the solver.
     pub middle: [f64; 3],
+    /// The domain in the scenario's units.
+    pub extent: Extent,
     /// The domain.
     pub axes: [Axis<f64>; 3],
     /// What the components are called.
@@ -47,8 +53,12 @@ pub struct Plan {
     pub values: Vec<f64>,
     /// The equations, in the scenario's units.
     pub system: System,
+    /// `f(x,t)` beside that of the system, in the scenario's units.
+    pub source: Option<Vec<Formula>>,
     /// The symmetriser, where the equations are given as matrices.
     pub symmetriser: Option<Symmetriser>,
+    /// The waves, where the matrices are formulas.
+    pub(in crate::families) waves: Option<Waves>,
     /// What the particles follow.
     pub(in crate::families) field: PlannedField,
     /// The speed of the fastest of them at the start.
@@ -108,18 +118,27 @@ impl Plan {
             }
             (None, values) => values.unwrap_or_default(),
         };
+        check_start(scenario, &values, &quadrature.positions)?;
+        if let System::ConvectionDiffusion(of) = &scenario.system {
+            diffusivity::check(of, &scenario.domain.extent, scenario.time.end)?;
+        }
         let amplitude = amplitude(&values);
         let symmetriser = match &scenario.system {
             System::Matrices { flux, .. } => Some(Symmetriser::of(flux)?),
             _ => None,
         };
+        let extent = &scenario.domain.extent;
+        let waves = Waves::of(&scenario.system, extent, scenario.time.end)?;
         let volume: f64 = scenario.domain.extent.volume();
         let spacing = libm::pow(volume / count as f64, 1.0 / dimension as f64);
         let units = Units {
             length: spacing,
             velocity: velocity(
                 scenario,
-                symmetriser.as_ref(),
+                symmetriser
+                    .as_ref()
+                    .map(|of| of.speed)
+                    .or(waves.map(|of| of.speed)),
                 &quadrature.positions,
                 spacing,
             ),
@@ -139,17 +158,21 @@ impl Plan {
             dimension,
             units,
             middle,
+            extent: scenario.domain.extent.clone(),
             axes: std::array::from_fn(|i| axis(scenario, i, lengths[i])),
             names: scenario.system.names(dimension),
             positions: quadrature.places.iter().map(solver_place).collect(),
             values,
             system: scenario.system.clone(),
+            source: scenario.source.clone(),
             symmetriser,
-            field: PlannedField {
-                field: scenario.motion.clone(),
-                extent: scenario.domain.extent.clone(),
+            waves,
+            field: PlannedField::new(
+                &scenario.motion,
+                &scenario.domain.extent,
                 units,
-            },
+                scenario.time.end,
+            ),
             fastest: fastest(scenario, &scenario.motion, &quadrature.positions) / units.velocity,
             cut_off: scenario.cut_off.shape,
             epsilon,
@@ -172,8 +195,14 @@ impl Plan {
             weights: quadrature.shares,
         };
         plan.doubts.extend(quadrature.doubts);
+        plan.doubts.extend(jumps::doubts(scenario, spacing));
         plan.doubts.extend(layers::check(scenario, plan.width())?);
         Ok(plan)
+    }
+
+    /// The way from places of the solver to those of the scenario's formulas.
+    pub fn frame(&self) -> Frame {
+        Frame::new(&self.extent, self.units)
     }
 
     /// ε in the scenario's unit of length.
@@ -192,8 +221,8 @@ impl Plan {
     }
 
     /// What the particles follow, in solver units.
-    pub fn motion<S: Scalar, const D: usize>(&self) -> NamedField<S, D> {
-        self.field.named()
+    pub fn motion<S: Scalar, const D: usize>(&self) -> RunField<S, D> {
+        self.field.run()
     }
 
     /// Its Runge-Kutta method; the classical one where it has none.
@@ -255,6 +284,24 @@ impl Plan {
     }
 }
 
+/// Refuses values at the start that are no numbers.
+fn check_start(
+    scenario: &LinearScenario,
+    values: &[f64],
+    positions: &[[f64; 3]],
+) -> Result<(), PlanError> {
+    let Some(place) = values.iter().position(|value| !value.is_finite()) else {
+        return Ok(());
+    };
+    let names = scenario.system.names(scenario.dimension);
+    let position = positions[place / names.len()];
+    Err(PlanError::Start {
+        component: names[place % names.len()].clone(),
+        value: values[place],
+        position: position[..scenario.dimension].to_vec(),
+    })
+}
+
 /// The most units of time that diffusion is given.
 const LONGEST: f64 = 1024.0;
 
@@ -304,23 +351,19 @@ fn axis(scenario: &LinearScenario, i: usize, length: f64) -> Axis<f64> {
 
 /// The largest speed of a field at some places, in the scenario's units.
 fn fastest(scenario: &LinearScenario, field: &Field, positions: &[[f64; 3]]) -> f64 {
-    let planned = PlannedField {
-        field: field.clone(),
-        extent: scenario.domain.extent.clone(),
-        units: Units::ONE,
-    };
-    planned.fastest(positions)
+    let extent = &scenario.domain.extent;
+    PlannedField::new(field, extent, Units::ONE, 0.0).fastest(positions)
 }
 
 /// The fastest of waves, flows and particles at the start; 1 where nothing moves.
 fn velocity(
     scenario: &LinearScenario,
-    symmetriser: Option<&Symmetriser>,
+    of_matrices: Option<f64>,
     positions: &[[f64; 3]],
     spacing: f64,
 ) -> f64 {
     let waves = scenario.system.wave_speed();
-    let waves = symmetriser.map_or(waves, |symmetriser| symmetriser.speed);
+    let waves = of_matrices.unwrap_or(waves);
     let flow = match &scenario.system {
         System::Transport { velocity, .. } => Some(velocity),
         _ => None,
@@ -330,8 +373,8 @@ fn velocity(
     let fastest = waves.max(flow).max(of_field(&scenario.motion));
     let fastest = match &scenario.system {
         System::ConvectionDiffusion(problem) => {
-            let largest = problem.diffusivity.iter().copied().fold(0.0, f64::max);
-            let conducted = largest * problem.profile.largest() / spacing;
+            let largest = diffusivity::largest(problem, &scenario.domain.extent);
+            let conducted = largest / spacing;
             // Diffusion over many spacings takes many times spacing^2/b: no format need count them.
             fastest
                 .max(conducted)

@@ -16,7 +16,12 @@ pub(super) fn beyond(plan: &Plan, series: &Series) -> Vec<String> {
     let System::ConvectionDiffusion(of) = &plan.system else {
         return Vec::new();
     };
-    let spreads = |field: &Field| matches!(field, Field::Compression { .. } | Field::Wave { .. });
+    let spreads = |field: &Field| {
+        !matches!(
+            field,
+            Field::Still | Field::Uniform { .. } | Field::Rotation { .. } | Field::Shear { .. }
+        )
+    };
     if of.reaction != Reaction::None || spreads(&of.velocity) || plan.cut_off.order() > 2 {
         return Vec::new();
     }

@@ -12,7 +12,7 @@ const SLAB_FAULTS: &[Case] = &[
     // Species and their diffusivities.
     (D, "", "[system]", "`diffusivity` is missing in [system]", "`diffusivity = 0.01`"),
     (D, "diffusivity = -0.5", "diffusivity", "system.diffusivity = -0.5", "0 or a positive"),
-    (D, "diffusivity = \"low\"", "diffusivity", "system.diffusivity = \"low\" is text, need a number", "diffusivity = 0.01"),
+    (D, "diffusivity = \"low\"", "diffusivity", "system.diffusivity = \"low\": there is no `low` here", "did you mean `log`?"),
     (D, "diffusivity = [0.5, 0.5]", "diffusivity", "its length is 2, species = 1", "one number a species, or one for all"),
     (D, "diffusivity = [-0.5]", "diffusivity", "system.diffusivity.0 = -0.5", "0 or a positive"),
     (D, "diffusivity = 0.5\nspecies = []", "species", "the number of species is 0, need 1 to 4", "[\"u\", \"v\"]"),

@@ -1,6 +1,7 @@
 //! Of which states the solution is known, and what is said where it is not.
 
 use super::*;
+use crate::linear::Exact;
 
 /// A ring, or a square with `dimension = 2`, with these lines in `[system]` and `[initial]`.
 fn scenario(sides: &str, system: &str, initial: &str) -> String {
@@ -69,7 +70,7 @@ fn a_known_solution_may_be_compared_with() {
         (WALLS, &both(LAYERS, COLD), UNIFORM),
     ] {
         let text = scenario(sides, system, initial);
-        assert!(read(&text).output.exact);
+        assert_eq!(read(&text).output.exact, Some(Exact::Initial));
     }
 }
 
@@ -139,7 +140,7 @@ fn an_unknown_solution_is_refused_with_the_reason() {
         let start = format!("output.exact = \"initial\" does not fit: the solution of {kind}");
         assert_report_holds(&error, &[&start, reason, "leave `exact` out"]);
         let without = text.replace("exact = \"initial\"", "");
-        assert!(!read(&without).output.exact, "the run itself is fine");
+        assert_eq!(read(&without).output.exact, None, "the run itself is fine");
     }
     let text = scenario(RING, &unlike, GAUSSIAN).replace("= 0.1\nspecies", "= [0.1, 0.2]\nspecies");
     let error = linear(&text, &[]).unwrap_err();

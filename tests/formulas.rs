@@ -1,0 +1,295 @@
+//! Formulas in scenarios: what they compute is what the names say that they replace, manufactured
+//! solutions are approached with the orders of Theorem 2, and what cannot be is refused with its place.
+
+mod runs;
+
+use motes::experiment::ExperimentError;
+use motes::scenario::{AnyScenario, Source};
+
+/// A scenario of that text with changes.
+fn scenario(text: &str, changes: &[&str]) -> AnyScenario {
+    let changes: Vec<String> = changes.iter().map(|change| (*change).to_owned()).collect();
+    AnyScenario::read(Source::Text(text.to_owned()), &changes).unwrap()
+}
+
+/// A component of a run at its end.
+fn column(scenario: AnyScenario, scalar: &str, component: &str) -> Vec<f64> {
+    let experiment = runs::experiment(scenario, scalar, 2);
+    experiment.simulation.column(component).unwrap()
+}
+
+/// The TOML of the examples of a page.
+fn examples(page: &str) -> Vec<String> {
+    let blocks = page.split("```toml\n").skip(1);
+    blocks
+        .map(|block| block.split("```").next().unwrap().to_owned())
+        .collect()
+}
+
+#[test]
+fn every_example_of_the_page_runs_and_has_a_small_error() {
+    let examples = examples(include_str!("../docs/formulas.md"));
+    assert_eq!(examples.len(), 3);
+    for text in examples {
+        let scenario = scenario(&text, &[]);
+        let name = scenario.name().to_owned();
+        // The third has no solution; the front of a bistable reaction is a matter of its own below.
+        let most = match name.as_str() {
+            // Of first order at the worst: 2 pi/400 of the wave.
+            "density-wave" => 0.2 * 2.0 * std::f64::consts::PI / 400.0,
+            // Of order r theta = 3: (2 pi)^4/4! eps^4, eps = 400^-0.75.
+            "acoustics-in-a-medium" => 1e-5,
+            "bistable" => f64::INFINITY,
+            other => panic!("{other} has no bound"),
+        };
+        let experiment = runs::experiment(scenario, "f64", 2);
+        let warnings = experiment.simulation.warnings(&experiment.outcome);
+        assert!(
+            warnings.is_empty() && experiment.doubts.is_empty(),
+            "{name}: {warnings:?}"
+        );
+        let errors = experiment.errors.unwrap_or_default();
+        for (field, norms) in &errors {
+            assert!(norms.l2 < most, "{name}: {field} {}", norms.l2);
+        }
+        assert_eq!(errors.is_empty(), name == "bistable");
+    }
+}
+
+/// `u_t = u_xx + u (1 - u)(u - a)` has the front `u = 1/(1 + e^((x - c t)/√2))`, `c = (1 - 2a)/√2`
+/// (Huxley; Murray, Mathematical Biology I, 2002, section 13.4).
+#[test]
+fn a_reaction_of_formulas_moves_its_front_at_the_speed_that_is_known() {
+    let text = examples(include_str!("../docs/formulas.md"))[2].clone();
+    let exact = "output.exact=[\"1/(1 + exp((x - 8 - 0.4/sqrt(2)*t)/sqrt(2)))\"]";
+    let changes = [
+        "system.diffusivity=1",
+        "initial.state=\"1/(1 + exp((x - 8)/sqrt(2)))\"",
+        exact,
+    ];
+    let experiment = runs::experiment(scenario(&text, &changes), "f64", 2);
+    let errors = experiment.errors.unwrap();
+    // The front has moved by 2.83; the walls, 8 lengths away, and the 400 particles leave 1e-3 of it.
+    assert!(errors["u"].linf < 3e-3, "{}", errors["u"].linf);
+}
+
+/// Orders of Theorem 2, `r theta`, with matrices of place and time on a cloud that is squeezed.
+#[test]
+fn manufactured_solutions_are_approached_with_the_orders_of_theorem_2() {
+    for (shape, eta, order, counts) in [
+        ("quintic-spline", "0.7", 1.5, [1024, 2304, 4096]),
+        ("smooth-4", "1.0", 3.0, [1024, 2304, 4096]),
+    ] {
+        let shape = format!("cut-off.name={shape}");
+        let eta = format!("cut-off.eta={eta}");
+        let errors = counts.map(|count| {
+            let count = format!("resolution.particles={count}");
+            runs::run("manufactured", "f64", 2, &[&shape, &eta, &count]).errors["state"].l2
+        });
+        let slope = |a: usize, b: usize| {
+            let spacings = f64::from(counts[b]) / f64::from(counts[a]);
+            2.0 * (errors[a] / errors[b]).ln() / spacings.ln()
+        };
+        for (a, b) in [(0, 1), (1, 2), (0, 2)] {
+            let found = slope(a, b);
+            assert!(
+                (found - order).abs() < 0.1,
+                "{shape}: {errors:?}, order {found}, expected {order}"
+            );
+        }
+    }
+}
+
+/// The text of a built-in scenario without its exact solution, with parts replaced.
+fn text(name: &str, replaced: &[(&str, &str)]) -> String {
+    let built_in = motes::scenario::built_in(name).unwrap().text;
+    let end = built_in.find("[output]").unwrap();
+    replaced
+        .iter()
+        .fold(built_in[..end].to_owned(), |text, (from, to)| {
+            assert!(text.contains(from), "{from:?} is not in {name}");
+            text.replacen(from, to, 1)
+        })
+}
+
+/// A formula that says what a name says gives the same to rounding, in steps of the same length.
+#[test]
+fn a_formula_gives_what_the_name_gives_that_it_replaces() {
+    let legendre = "kind = \"legendre\"             # amplitude P_degree((x - center)/radius)\ndegree = 3\namplitude = 1.0";
+    for (name, component, changes, formulas) in [
+        (
+            "transport-rotation",
+            "u",
+            &[
+                "time.end=0.25",
+                "motion.kind=still",
+                "resolution.particles=900",
+                "time.step=0.005",
+            ][..],
+            &[(
+                "velocity = { kind = \"rotation\", rate = 6.283185307179586 }",
+                "velocity = [\"-2*pi*y\", \"2*pi*x\"]",
+            )][..],
+        ),
+        (
+            "transport-rotation",
+            "u",
+            &[
+                "time.end=0.25",
+                "resolution.particles=900",
+                "time.step=0.005",
+            ],
+            &[(
+                "[motion]\nkind = \"flow\"",
+                "[motion]\nkind = \"formula\"\nvelocity = [\"-2*pi*y\", \"2*pi*x\"]",
+            )],
+        ),
+        (
+            "variable-diffusivity",
+            "u",
+            &["time.end=0.2", "time.step=0.001"],
+            &[
+                (
+                    "diffusivity = 0.1 ",
+                    "diffusivity = \"0.1*(1 - x^2)*(1 + 0.5*sin(2*pi*t))\" ",
+                ),
+                ("profile = ", "# "),
+                ("modulation = ", "# "),
+                (legendre, "kind = \"formula\"\nstate = \"(5*x^3 - 3*x)/2\""),
+            ],
+        ),
+        (
+            "decay-chain",
+            "daughter",
+            &["time.end=0.2", "time.step=0.001"],
+            &[
+                ("kind = \"linear\"", "kind = \"formula\""),
+                (
+                    "matrix = [[-2.0, 0.0, 0.0], [2.0, -0.5, 0.0], [0.0, 0.5, 0.0]]",
+                    "rates = [\"-2*parent\", \"2*parent - 0.5*u1\", \"0.5*daughter\"]",
+                ),
+                ("source = [0.0, 0.0, 0.0]", "#"),
+            ],
+        ),
+    ] {
+        let named = column(scenario(&text(name, &[]), changes), "f64", component);
+        let given = column(scenario(&text(name, formulas), changes), "f64", component);
+        let largest = named.iter().fold(0.0f64, |largest, u| largest.max(u.abs()));
+        assert!(largest > 0.1, "{name}");
+        for (k, (a, b)) in named.iter().zip(&given).enumerate() {
+            assert!(
+                (a - b).abs() < 1e-11 * largest,
+                "{name}, particle {k}: {a}, {b}"
+            );
+        }
+    }
+}
+
+/// What formulas compute is rounded once to the scalar: results differ by its rounding alone.
+#[test]
+fn formulas_run_in_every_scalar() {
+    let l2 = |name: &str, scalar: &str| runs::run(name, scalar, 2, &[]).errors["state"].l2;
+    for name in ["manufactured", "unsteady-diffusion"] {
+        let exact = l2(name, "f64");
+        assert!((l2(name, "f32") / exact - 1.0).abs() < 0.01, "{name}");
+        if cfg!(feature = "fixed-point") {
+            assert!((l2(name, "q31.32") / exact - 1.0).abs() < 0.01, "{name}");
+        }
+    }
+}
+
+#[test]
+fn what_formulas_may_not_be_is_refused_with_the_place() {
+    let page = include_str!("../docs/formulas.md");
+    let examples = examples(page);
+    for (text, change, words) in [
+        (
+            &examples[0],
+            "profile.density=\"x - 0.5\"",
+            "at t = 0 the density is -0.4",
+        ),
+        (
+            &examples[0],
+            "profile.pressure=\"-rho(x)\"",
+            "the pressure is -1.",
+        ),
+        (
+            &examples[0],
+            "profile.velocity=[\"log(-x)\"]",
+            "the velocity is NaN at x = [",
+        ),
+        (
+            &examples[1],
+            "initial.state=[\"1/0\", 0]",
+            "at t = 0 u0 = inf at x = [0.00",
+        ),
+        (
+            &examples[1],
+            "define.c=\"sqrt(x - 1)\"",
+            "at x = [0.0], t = 0: A^1[0][1] = NaN is not finite",
+        ),
+        (
+            &examples[1],
+            "system.flux=[[[0, \"c\"], [\"-c\", 0]]]",
+            "at x = [0.0], t = 0: the system is not hyperbolic",
+        ),
+        (
+            &examples[2],
+            "system.diffusivity=\"x - t\"",
+            "the diffusivity of u is -",
+        ),
+    ] {
+        let error = runs::try_experiment(scenario(text, &[change]), "f64", 1);
+        let Err(error @ ExperimentError::Plan(_)) = error else {
+            panic!("{change} is not refused as a plan");
+        };
+        assert!(error.to_string().contains(words), "{change}: {error}");
+    }
+}
+
+#[test]
+fn coefficients_that_jump_between_particles_are_told() {
+    let examples = examples(include_str!("../docs/formulas.md"));
+    for (text, change, words) in [
+        (
+            &examples[1],
+            "define.c=\"if(x < 0.5, 1, 2)\"",
+            "an entry of system.flux changes by 50 %",
+        ),
+        (
+            &examples[2],
+            "system.diffusivity=\"if(x < 3, 1, 5)\"",
+            "system.diffusivity changes by 80 %",
+        ),
+    ] {
+        let changes = [change, "initial.kind=formula", "time.end=0"];
+        let text = text.replace("exact = \"initial\"", "samples = 1");
+        let experiment = runs::experiment(scenario(&text, &changes), "f64", 1);
+        assert_eq!(runs::told(&experiment, words).len(), 1, "{change}");
+    }
+}
+
+/// A gas with a free end runs out into nothing, which the finite-volume reference does not.
+#[test]
+fn a_reference_that_the_ends_spoil_is_told() {
+    let told = |lower: &str| {
+        let experiment = runs::experiment(
+            runs::any_scenario(
+                "shu-osher",
+                &[
+                    lower,
+                    "resolution.particles=400",
+                    "time.end=0.5",
+                    "output.window={ lower = [-6.0], upper = [4.0] }",
+                ],
+            ),
+            "f64",
+            2,
+        );
+        runs::told(&experiment, "gas runs out at the lower end").len()
+    };
+    assert_eq!(
+        (told("domain.lower=[-8.0]"), told("domain.lower=[-9.0]")),
+        (1, 0)
+    );
+}

@@ -90,8 +90,8 @@ pub use domain::{Ball, Domain, Extent, Side};
 pub use error::ScenarioError;
 pub use gas::{
     Anchor, Arrangement, Deposit, Diffusion, EnergyRule, EquationOfState, Exact, GradientKind,
-    Inflow, Material, NoSlipWalls, Outflow, Output, Profile, Region, Resolution, Ring, Scenario,
-    Share, StateFormulas, Switch, Time, Viscosity, ViscosityKind, Weights,
+    Inflow, Material, NoSlipWalls, Outflow, Output, Piece, Profile, Region, Resolution, Ring,
+    Scenario, Share, StateFormulas, Switch, Time, Viscosity, ViscosityKind, Weights,
 };
 pub use heading::Units;
 pub use keys::Family;

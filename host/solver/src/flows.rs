@@ -11,7 +11,7 @@ use crate::exact::noh::NohProblem;
 use crate::exact::sound_wave::SoundWaveProblem;
 use crate::exact::taylor_green::TaylorGreenProblem;
 use crate::exact::yee_vortex::YeeVortexProblem;
-use crate::scenario::{EquationOfState, Profile, Scenario, Side, StateFormulas};
+use crate::scenario::{EquationOfState, Piece, Profile, Scenario, Side};
 
 /// The flow that a profile begins, known at all times; `None` where only its beginning is.
 ///
@@ -132,9 +132,9 @@ pub fn channel_flow(scenario: &Scenario) -> Result<Option<ChannelFlow>, FlowErro
 }
 
 /// A gas whose state is given as formulas.
-pub fn formula_flow(scenario: &Scenario, state: &StateFormulas) -> FormulaFlow {
+pub fn formula_flow(scenario: &Scenario, pieces: Vec<Piece>) -> FormulaFlow {
     FormulaFlow {
-        state: state.clone(),
+        pieces,
         law: scenario.materials[0].law,
     }
 }
@@ -149,8 +149,8 @@ pub type Field = Box<dyn Fn([f64; 3]) -> FlowState>;
 pub fn initial(scenario: &Scenario) -> Result<Option<Field>, FlowError> {
     Ok(match &scenario.profile {
         None => None,
-        Some(Profile::Formula(state)) => {
-            let flow = formula_flow(scenario, state);
+        Some(Profile::Formula(pieces)) => {
+            let flow = formula_flow(scenario, pieces.clone());
             Some(Box::new(move |position| flow.at(position, 0.0)))
         }
         Some(Profile::KelvinHelmholtz) => Some(Box::new(kelvin_helmholtz::initial)),

@@ -13,8 +13,8 @@ use super::line::{Constructor, motion};
 use super::one_line;
 use crate::families::strengths::Plan;
 use crate::scenario::linear::{
-    Conductor as ConductorName, ConvectionDiffusion, Form, Mean as MeanName, Method,
-    Reaction as ReactionName,
+    Conductor as ConductorName, ConvectionDiffusion, Drive as DriveName, Form, Mean as MeanName,
+    Method, Reaction as ReactionName,
 };
 
 /// A scenario of convection-diffusion that a device cannot be given as a slab.
@@ -85,9 +85,11 @@ fn obstacle(plan: &Plan, of: &ConvectionDiffusion) -> Option<String> {
         return Some(format!("it has {} species", of.species.len()));
     }
     let is_formula = matches!(of.profile, ConductorName::Formula { .. })
-        || matches!(of.reaction, ReactionName::Formula { .. });
+        || matches!(of.reaction, ReactionName::Formula { .. })
+        || (of.walls.iter().flatten().flatten())
+            .any(|wall| matches!(wall.drive(), Some(DriveName::Formula(_))));
     if is_formula {
-        return Some("its diffusivity or reaction is a formula".to_owned());
+        return Some("its diffusivity, its reaction or what drives a wall is a formula".to_owned());
     }
     if of.form == Form::Mixed {
         return Some("its form is mixed".to_owned());

@@ -28,7 +28,7 @@ pub use method::{
 };
 pub use outflow::Outflow;
 pub use output::{Exact, Output, Ring};
-pub use profile::{Profile, StateFormulas};
+pub use profile::{Piece, Profile, StateFormulas};
 pub use region::{Deposit, Region};
 pub use resolution::{Anchor, Arrangement, Resolution, Share};
 pub use wall::NoSlipWalls;
@@ -214,6 +214,11 @@ fn state(root: &Section<'_>, domain: &Domain, definitions: &Definitions<'_>) -> 
     if let (Some(_), Some(profile)) = (&region, &profile) {
         return Err(profile.fault(Problem::Gas { both: true }));
     }
+    let pieces = match &region {
+        Some(entry) => region::pieces(entry, &domain.extent, &materials, definitions)?,
+        None => None,
+    };
+    let region = region.filter(|_| pieces.is_none());
     Ok(Gas {
         regions: match region {
             Some(entry) => region::regions(&entry, &domain.extent, &materials)?,
@@ -221,7 +226,7 @@ fn state(root: &Section<'_>, domain: &Domain, definitions: &Definitions<'_>) -> 
         },
         profile: match profile {
             Some(entry) => Some(profile::profile(&entry, domain, &materials, definitions)?),
-            None => None,
+            None => pieces.map(Profile::Formula),
         },
         deposits: region::deposits(root, &domain.extent, &materials)?,
         materials,

@@ -3,12 +3,12 @@
 use motes_formula::Formula;
 
 use super::material::{EquationOfState, Material};
-use crate::Domain;
 use crate::bound::{AMPLITUDE, POSITIVE};
 use crate::define::Definitions;
 use crate::entry::{ANY, Entry};
 use crate::error::Fault;
 use crate::section::Section;
+use crate::{Domain, Extent};
 
 /// A state at t = 0 that fills the domain; an ideal gas, but [`Profile::Formula`]. Vortices and Noh's collapse are
 /// centred at the origin.
@@ -62,8 +62,17 @@ pub enum Profile {
         /// Its mean, > 0.
         pressure: f64,
     },
-    /// What formulas of the place say, at t = 0.
-    Formula(StateFormulas),
+    /// What formulas of the place say, at t = 0: boxes that fill the domain, each with its own.
+    Formula(Vec<Piece>),
+}
+
+/// A box whose gas is given by formulas.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Piece {
+    /// Its place.
+    pub extent: Extent,
+    /// What they say.
+    pub state: StateFormulas,
 }
 
 /// The state of a gas as formulas of place and time.
@@ -123,7 +132,11 @@ impl Profile {
     pub fn is_uniform(&self) -> bool {
         match self {
             Self::Noh { .. } | Self::Gresho { .. } | Self::TaylorGreen { .. } => true,
-            Self::Formula(state) => state.density.value().is_some(),
+            Self::Formula(pieces) => {
+                let mut densities = pieces.iter().map(|piece| piece.state.density.value());
+                let first = densities.next().flatten();
+                first.is_some() && densities.all(|density| density == first)
+            }
             _ => false,
         }
     }
@@ -161,7 +174,8 @@ pub(super) fn profile(
     if name == FORMULA {
         let dimension = domain.extent.lower.len();
         let state = state_formulas(&section, &materials[0].law, dimension, definitions)?;
-        return Ok(Profile::Formula(state));
+        let extent = domain.extent.clone();
+        return Ok(Profile::Formula(vec![Piece { extent, state }]));
     }
     let EquationOfState::IdealGas { gamma } = materials[0].law else {
         let reason = format!("the first material is {}", materials[0].law.name());

@@ -1,7 +1,9 @@
 //! The regions of uniform gas at t = 0, and the energy deposited in it.
 
 use super::material::{EquationOfState, Material};
+use super::profile::{Piece, state_formulas};
 use crate::bound::POSITIVE;
+use crate::define::Definitions;
 use crate::entry::{ANY, Entry};
 use crate::error::Fault;
 use crate::geometry::{self, AXES};
@@ -52,6 +54,75 @@ pub(super) fn regions(
         regions.push(region);
     }
     Ok(regions)
+}
+
+/// Every `[[region]]` where one of them has a formula: boxes of the first material that fill the domain;
+/// `None` where none has.
+pub(super) fn pieces(
+    entry: &Entry<'_>,
+    domain: &Extent,
+    materials: &[Material],
+    definitions: &Definitions<'_>,
+) -> Result<Option<Vec<Piece>>, Fault> {
+    let entries = entry.list("one or more [[region]]")?;
+    let sections: Vec<Section<'_>> = entries
+        .iter()
+        .map(Entry::section)
+        .collect::<Result<_, _>>()?;
+    let Some(formula) = sections.iter().find_map(formula) else {
+        return Ok(None);
+    };
+    let mut regions: Vec<Region> = Vec::new();
+    let mut pieces = Vec::new();
+    for section in &sections {
+        if let Some(ball) = section.optional("radius").or(section.optional("center")) {
+            let reason = format!(
+                "{} is a formula, and a ball cuts into what it says",
+                formula.key()
+            );
+            return Err(ball.does_not_fit(reason, "give boxes, or formulas with if(r < ..., a, b)"));
+        }
+        if let (Some(entry), 1..) = (section.optional("material"), material(section, materials)?) {
+            let reason = format!(
+                "{} is a formula, and those are of the first material",
+                formula.key()
+            );
+            return Err(entry.does_not_fit(reason, "take `material` out, or give numbers"));
+        }
+        let extent = geometry::extent_inside(section, domain)?;
+        clear_of_overlap(section, &extent, &regions)?;
+        let state = state_formulas(section, &materials[0].law, domain.lower.len(), definitions)?;
+        regions.push(Region {
+            extent: extent.clone(),
+            ball: None,
+            material: 0,
+            density: 0.0,
+            velocity: Vec::new(),
+            pressure: 0.0,
+        });
+        pieces.push(Piece { extent, state });
+    }
+    let filled: f64 = pieces.iter().map(|piece| piece.extent.volume()).sum();
+    if filled < (1.0 - 1e-9) * domain.volume() {
+        let reason = format!(
+            "it is a formula, and the regions fill {filled} of {}",
+            domain.volume()
+        );
+        return Err(formula.does_not_fit(reason, "give regions that fill the domain"));
+    }
+    Ok(Some(pieces))
+}
+
+/// The first value of a region that is a formula.
+fn formula<'a>(section: &Section<'a>) -> Option<Entry<'a>> {
+    let own = ["density", "pressure"]
+        .into_iter()
+        .filter_map(|key| section.optional(key));
+    let velocity = section
+        .optional("velocity")
+        .and_then(|entry| entry.list("").ok());
+    own.chain(velocity.into_iter().flatten())
+        .find(Entry::is_text)
 }
 
 fn region(section: &Section<'_>, domain: &Extent, materials: &[Material]) -> Result<Region, Fault> {

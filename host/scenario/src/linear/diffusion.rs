@@ -108,7 +108,7 @@ pub(super) fn convection_diffusion(
         Some(entry) => entry.choice(FORMS)?,
         None => Form::Direct,
     };
-    let walls = walls(root, domain, &species, files)?;
+    let walls = walls(root, domain, &species, files, definitions)?;
     let mut profile = match section.optional("profile") {
         Some(entry) => conductor(&entry, &domain.extent)?,
         None => Conductor::Uniform,

@@ -211,10 +211,12 @@ impl Place<'_> {
         self.one_species()?;
         self.no_reaction()?;
         self.no_modulation()?;
-        let is_parabola = matches!(self.diffusion.profile, Conductor::Parabola { .. });
+        let profile = &self.diffusion.profile;
+        let is_known = matches!(profile, Conductor::Uniform | Conductor::Layers { .. });
+        let name = profile.name();
         need(
-            !is_parabola,
-            "the profile is parabola, not uniform or layers",
+            is_known,
+            format!("the profile is {name}, not uniform or layers"),
         )
     }
 }

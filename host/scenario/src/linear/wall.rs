@@ -1,9 +1,12 @@
 //! What passes through the walls of convection-diffusion: `[[wall]]`.
 
+use motes_formula::Formula;
+
 use super::Series;
 use super::series::series;
 use crate::Domain;
 use crate::bound::{NOT_NEGATIVE, POSITIVE};
+use crate::define::Definitions;
 use crate::entry::{ANY, Entry};
 use crate::error::Fault;
 use crate::files::Files;
@@ -49,13 +52,27 @@ impl WallCondition {
     }
 }
 
-/// A number that drives a wall.
+/// A number that drives a wall, of the time.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Drive {
     /// The same at all times.
     Constant(f64),
     /// Out of a file.
     Series(Series),
+    /// A formula of the time.
+    Formula(Formula),
+}
+
+impl Drive {
+    /// Times of a run and what a formula is there, equally spaced; none of another drive.
+    pub fn sampled(&self, duration: f64, intervals: u32) -> Vec<(f64, f64)> {
+        let Self::Formula(formula) = self else {
+            return Vec::new();
+        };
+        let time = |i: u32| duration * f64::from(i) / f64::from(intervals);
+        let point = |i: u32| (time(i), formula.at(&[0.0, 0.0, 0.0, time(i)]));
+        (0..=intervals).map(point).collect()
+    }
 }
 
 /// The names of the conditions, with the keys that each takes.
@@ -75,6 +92,7 @@ pub(super) fn walls(
     domain: &Domain,
     species: &[String],
     files: Files<'_>,
+    definitions: &Definitions<'_>,
 ) -> Result<Walls, Fault> {
     let closed = || vec![WallCondition::NoFlux; species.len()];
     let mut walls: Walls = domain.sides.iter().map(|_| [closed(), closed()]).collect();
@@ -86,7 +104,7 @@ pub(super) fn walls(
     for (number, entry) in entry.list("one or more [[wall]]")?.iter().enumerate() {
         let section = entry.section()?;
         let (axis, end) = place_of_wall(&section, domain)?;
-        let condition = condition(&section, files, end_of_run)?;
+        let condition = condition(&section, (files, end_of_run), definitions)?;
         for i in chosen(&section, species)? {
             let same = told.iter().find(|(_, place)| *place == (axis, end, i));
             if let Some((first, _)) = same {
@@ -118,19 +136,20 @@ fn chosen(section: &Section<'_>, species: &[String]) -> Result<Vec<usize>, Fault
 
 fn condition(
     section: &Section<'_>,
-    files: Files<'_>,
-    end: Option<f64>,
+    (files, end): (Files<'_>, Option<f64>),
+    definitions: &Definitions<'_>,
 ) -> Result<WallCondition, Fault> {
     let kind = section.required("kind")?;
     let (name, keys) = kind.choice(&KINDS.map(|kind| (kind.0, kind)))?;
     section.only(name, &["axis", "end", "species", "kind"], keys)?;
+    let of = |key| drive(section, key, (files, end), definitions);
     Ok(match name {
         "no-flux" => WallCondition::NoFlux,
-        "value" => WallCondition::Value(drive(section, "value", files, end)?),
-        "flux" => WallCondition::Flux(drive(section, "flux", files, end)?),
+        "value" => WallCondition::Value(of("value")?),
+        "flux" => WallCondition::Flux(of("flux")?),
         _ => WallCondition::Exchange {
             rate: section.number("rate", NOT_NEGATIVE)?,
-            outside: drive(section, "outside", files, end)?,
+            outside: of("outside")?,
         },
     })
 }
@@ -139,15 +158,29 @@ fn condition(
 fn drive(
     section: &Section<'_>,
     key: &'static str,
-    files: Files<'_>,
-    end: Option<f64>,
+    (files, end): (Files<'_>, Option<f64>),
+    definitions: &Definitions<'_>,
 ) -> Result<Drive, Fault> {
     match (section.optional(key), section.optional("series")) {
+        (Some(entry), None) if entry.is_text() => of_time(&entry, definitions),
         (Some(entry), None) => Ok(Drive::Constant(entry.number(ANY)?)),
         (None, Some(entry)) => Ok(Drive::Series(series(&entry.section()?, files, end)?)),
         (Some(_), Some(entry)) => Err(both(&entry, key)),
         (None, None) => Err(section.missing(key)),
     }
+}
+
+/// A formula that is of the time alone.
+fn of_time(entry: &Entry<'_>, definitions: &Definitions<'_>) -> Result<Drive, Fault> {
+    let formula = definitions.formula(entry)?;
+    if let Some(value) = formula.value().filter(|value| value.is_finite()) {
+        return Ok(Drive::Constant(value));
+    }
+    if (0..3).any(|axis| formula.depends_on(axis)) {
+        let reason = "it depends on the place, and a wall has one number for all of it".to_owned();
+        return Err(entry.does_not_fit(reason, "give a formula of t alone"));
+    }
+    Ok(Drive::Formula(formula))
 }
 
 fn both(series: &Entry<'_>, key: &str) -> Fault {

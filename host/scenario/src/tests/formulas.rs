@@ -72,8 +72,11 @@ fn a_gas_may_be_what_formulas_say() {
     let AnyScenario::Gas(scenario) = read(GAS, &[]).unwrap() else {
         panic!("a gas");
     };
-    let Some(Profile::Formula(state)) = &scenario.profile else {
+    let Some(Profile::Formula(pieces)) = &scenario.profile else {
         panic!("formulas");
+    };
+    let [Piece { state, .. }] = &pieces[..] else {
+        panic!("one piece");
     };
     let at = [0.25, 0.0, 0.0, 7.0];
     assert_eq!(state.density.at(&at), 1.1);
@@ -230,4 +233,92 @@ fn a_barotropic_gas_takes_no_pressure() {
     let gas = GAS.replace("equation-of-state = \"ideal-gas\"\ngamma = 1.4", law);
     let error = read(&gas, &[]).unwrap_err();
     assert_report_holds(&error, &["profile.pressure = 2.5", "take `pressure` out"]);
+}
+
+/// Two boxes of [`GAS`], the first with a formula.
+const BOXES: &str = r#"[[region]]
+lower = [0.0, 0.0]
+upper = [0.5, 1.0]
+density = "bump(x)"
+velocity = [1, 0]
+pressure = 2.5
+[[region]]
+lower = [0.5, 0.0]
+upper = [1.0, 1.0]
+density = 1
+velocity = [0, 0]
+pressure = 1
+"#;
+
+/// [`GAS`] with these regions in the place of its profile.
+fn with_regions(regions: &str) -> String {
+    let start = GAS.find("[profile]").unwrap();
+    let end = GAS.find("[material]").unwrap();
+    format!("{}{regions}{}", &GAS[..start], &GAS[end..])
+}
+
+#[test]
+fn regions_may_be_what_formulas_say() {
+    let AnyScenario::Gas(scenario) = read(&with_regions(BOXES), &[]).unwrap() else {
+        panic!("a gas");
+    };
+    let Some(Profile::Formula(pieces)) = &scenario.profile else {
+        panic!("formulas");
+    };
+    assert!(scenario.regions.is_empty());
+    assert_eq!(pieces[1].extent.lower, [0.5, 0.0]);
+    assert_eq!(pieces[0].state.density.at(&[0.25, 0.0, 0.0, 0.0]), 1.1);
+    assert_eq!(pieces[1].state.density.value(), Some(1.0));
+    for (from, to, parts) in [
+        (
+            "upper = [1.0, 1.0]",
+            "upper = [0.9, 1.0]",
+            ["region.0.density", "the regions fill 0.9 of 1"],
+        ),
+        (
+            "lower = [0.5, 0.0]",
+            "lower = [0.4, 0.0]",
+            ["region.1 overlaps region.0", "both hold x"],
+        ),
+        (
+            "density = 1\n",
+            "density = \"q\"\n",
+            ["region.1.density", "there is no `q` here"],
+        ),
+        (
+            "density = 1\n",
+            "",
+            ["`density` is missing", "[[region]] 1"],
+        ),
+        (
+            "lower = [0.5, 0.0]\nupper = [1.0, 1.0]",
+            "center = [0.7, 0.5]\nradius = 0.1",
+            ["region.1.radius", "a ball cuts into"],
+        ),
+    ] {
+        assert!(BOXES.contains(from));
+        let error = read(&with_regions(&BOXES.replacen(from, to, 1)), &[]).unwrap_err();
+        assert_report_holds(&error, &parts);
+    }
+}
+
+#[test]
+fn a_wall_may_be_driven_by_a_formula_of_time_alone() {
+    let walls = "sides = [\"mirror\"]\n[[wall]]\naxis = \"x\"\nend = \"lower\"\nkind = \"value\"\nvalue = \"DRIVE\"";
+    let with = |drive: &str| HEAT.replace("sides = [\"periodic\"]", &walls.replace("DRIVE", drive));
+    let AnyScenario::Linear(scenario) = read(&with("2*t"), &[]).unwrap() else {
+        panic!("a system");
+    };
+    let linear::System::ConvectionDiffusion(of) = &scenario.system else {
+        panic!("diffusion");
+    };
+    let Some(linear::Drive::Formula(drive)) = of.walls[0][0][0].drive() else {
+        panic!("a formula");
+    };
+    assert_eq!(drive.at(&[0.0, 0.0, 0.0, 3.0]), 6.0);
+    let error = read(&with("x + t"), &[]).unwrap_err();
+    assert_report_holds(
+        &error,
+        &["wall.0.value = \"x + t\"", "a formula of t alone"],
+    );
 }

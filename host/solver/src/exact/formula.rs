@@ -3,7 +3,7 @@
 use crate::exact::flow::{Flow, FlowState};
 use crate::exact::solution::Solution;
 use crate::scenario::formula::Formula;
-use crate::scenario::{EquationOfState, StateFormulas};
+use crate::scenario::{EquationOfState, Piece, StateFormulas};
 
 /// The variables of a formula: the place and the time.
 fn variables([x, y, z]: [f64; 3], time: f64) -> [f64; 4] {
@@ -33,21 +33,37 @@ impl Solution for FormulaSolution {
 /// A gas whose state is given as formulas.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FormulaFlow {
-    /// The formulas.
-    pub state: StateFormulas,
+    /// Boxes with their formulas; beyond all of them the first one goes on.
+    pub pieces: Vec<Piece>,
     /// What gives the energy, and the pressure where they do not.
     pub law: EquationOfState,
+}
+
+impl FormulaFlow {
+    /// The formulas of a place.
+    fn state(&self, position: [f64; 3]) -> Option<&StateFormulas> {
+        let holds = |piece: &&Piece| {
+            let sides = piece.extent.lower.iter().zip(&piece.extent.upper);
+            sides
+                .zip(position)
+                .all(|((lower, upper), x)| (*lower..=*upper).contains(&x))
+        };
+        let piece = self.pieces.iter().find(holds).or(self.pieces.first())?;
+        Some(&piece.state)
+    }
 }
 
 impl Flow for FormulaFlow {
     fn at(&self, position: [f64; 3], time: f64) -> FlowState {
         let variables = variables(position, time);
-        let density = self.state.density.at(&variables);
-        let velocity = &self.state.velocity;
-        let pressure = match &self.state.pressure {
+        let value = |of: Option<&Formula>| of.map_or(f64::NAN, |of| of.at(&variables));
+        let state = self.state(position);
+        let density = value(state.map(|state| &state.density));
+        let pressure = match state.and_then(|state| state.pressure.as_ref()) {
             Some(pressure) => pressure.at(&variables),
             None => self.law.pressure(density, 0.0),
         };
+        let velocity = state.map_or(&[][..], |state| &state.velocity);
         FlowState {
             density,
             velocity: std::array::from_fn(|i| velocity.get(i).map_or(0.0, |u| u.at(&variables))),

@@ -250,7 +250,7 @@ fn slab(
     });
     let end = |end: usize| {
         let condition = of.walls.first().and_then(|ends| ends[end].first());
-        condition.map_or(End::NoFlux, end_of)
+        condition.map_or(End::NoFlux, |of| end_of(of, scenario.time.end))
     };
     let problem = SlabProblem {
         lower,
@@ -263,8 +263,12 @@ fn slab(
 }
 
 /// What a slab meets at an end.
-fn end_of(condition: &WallCondition) -> End {
+fn end_of(condition: &WallCondition, duration: f64) -> End {
     let drive = |drive: &scenario::Drive| match drive {
+        // Straight lines between so many points are 1e-7 off a wave that swings once.
+        scenario::Drive::Formula(_) => Drive {
+            points: drive.sampled(duration, 4096),
+        },
         scenario::Drive::Constant(value) => Drive::constant(*value),
         scenario::Drive::Series(series) => {
             let points = series.times.iter().zip(&series.values);

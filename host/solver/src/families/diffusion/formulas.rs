@@ -7,7 +7,7 @@ use motes_core::scalar::Scalar;
 use crate::families::strengths::{BETWEEN, Frame, Plan, all_over, times};
 use crate::scenario::Extent;
 use crate::scenario::formula::Formula;
-use crate::scenario::linear::{Conductor, ConvectionDiffusion, Reaction};
+use crate::scenario::linear::{Conductor, ConvectionDiffusion, Drive, Reaction};
 
 /// A problem of the core, with formulas for what they say. What they compute is an `f64`, rounded once
 /// to the scalar.
@@ -31,6 +31,18 @@ pub(super) struct Formulas {
     /// A bound of the `|eigenvalues|` of `∂f/∂u`, in 1 / time.
     stiffness: f64,
     extent: Extent,
+    walls: Vec<DrivenWall>,
+}
+
+/// A wall whose number is a formula of the time.
+#[derive(Clone, Debug)]
+struct DrivenWall {
+    axis: usize,
+    end: usize,
+    species: usize,
+    number: Formula,
+    /// Of the number.
+    unit: f64,
 }
 
 /// The variables of a formula before the unknowns: place and time.
@@ -55,6 +67,7 @@ impl Formulas {
             duration: plan.duration,
             stiffness: 0.0,
             extent: plan.extent.clone(),
+            walls: walls(plan, of),
             diffusivity,
             rates,
         };
@@ -147,6 +160,27 @@ impl Formulas {
     }
 }
 
+/// The walls of a problem whose numbers are formulas.
+fn walls(plan: &Plan, of: &ConvectionDiffusion) -> Vec<DrivenWall> {
+    let mut walls = Vec::new();
+    for (axis, ends) in of.walls.iter().enumerate() {
+        for (end, conditions) in ends.iter().enumerate() {
+            for (species, condition) in conditions.iter().enumerate() {
+                if let Some(Drive::Formula(number)) = condition.drive() {
+                    walls.push(DrivenWall {
+                        axis,
+                        end,
+                        species,
+                        number: number.clone(),
+                        unit: plan.unit_of_flux(condition),
+                    });
+                }
+            }
+        }
+    }
+    walls
+}
+
 impl<S: Scalar, const D: usize, const P: usize> DiffusionProblem<S, D, P>
     for RunProblem<'_, S, D, P>
 {
@@ -201,6 +235,20 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionProblem<S, D, P>
         }
     }
     fn wall(&self, axis: usize, end: usize, time: S) -> [Condition<S>; P] {
-        self.named.wall(axis, end, time)
+        let mut conditions = self.named.wall(axis, end, time);
+        for wall in &self.formulas.walls {
+            if (wall.axis, wall.end) != (axis, end) {
+                continue;
+            }
+            let now = time.to_f64() * self.formulas.frame.time();
+            let number = S::from_f64(wall.number.at(&[0.0, 0.0, 0.0, now]) / wall.unit);
+            match conditions.get_mut(wall.species) {
+                Some(Condition::Value(value)) => *value = number,
+                Some(Condition::Flux(flux)) => *flux = number,
+                Some(Condition::Exchange { outside, .. }) => *outside = number,
+                Some(Condition::NoFlux) | None => {}
+            }
+        }
+        conditions
     }
 }

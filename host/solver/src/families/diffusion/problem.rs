@@ -39,7 +39,7 @@ impl Plan {
     }
 
     /// The unit of what passes through a wall.
-    fn unit_of_flux(&self, condition: &WallCondition) -> f64 {
+    pub(super) fn unit_of_flux(&self, condition: &WallCondition) -> f64 {
         match condition {
             WallCondition::Flux(_) => self.units.velocity,
             _ => 1.0,
@@ -54,6 +54,10 @@ impl Plan {
         let largest = |condition: &WallCondition| {
             let largest = match condition.drive() {
                 Some(scenario::Drive::Constant(value)) => value.abs(),
+                Some(drive @ scenario::Drive::Formula(_)) => drive
+                    .sampled(self.duration, 1024)
+                    .iter()
+                    .fold(0.0, |largest: f64, (_, value)| largest.max(value.abs())),
                 Some(scenario::Drive::Series(series)) => within(series, self.duration)
                     .iter()
                     .fold(0.0, |largest: f64, (_, value)| largest.max(value.abs())),
@@ -169,6 +173,8 @@ impl Plan {
         let driven = |drive: &scenario::Drive| match drive {
             scenario::Drive::Constant(value) => Drive::Constant(S::from_f64(value / unit)),
             scenario::Drive::Series(_) => Drive::Series(points),
+            // `RunProblem` puts its value in the place of this.
+            scenario::Drive::Formula(_) => Drive::Constant(S::ZERO),
         };
         match condition {
             WallCondition::NoFlux => DrivenCondition::NoFlux,

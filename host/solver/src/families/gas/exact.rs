@@ -5,7 +5,7 @@ use crate::exact::riemann::{GasState, RiemannError, RiemannFlow, RiemannSolution
 use crate::exact::sedov::SedovProblem;
 use crate::exact::solution::Solution;
 use crate::flows::{channel_flow, formula_flow, profile_flow, reference, start};
-use crate::scenario::{EquationOfState, Exact, Region, Scenario, Side};
+use crate::scenario::{EquationOfState, Exact, Piece, Region, Scenario, Side};
 
 /// The fields that a solution has, in the order of tables and pictures.
 pub const FIELDS: [&str; 4] = ["density", "velocity", "pressure", "energy"];
@@ -67,7 +67,13 @@ impl ExactSolution {
             Some(Exact::Reference) => of(Box::new(reference(scenario, progress)?), None),
             Some(Exact::Formula) => {
                 let formulas = scenario.output.formulas.as_ref();
-                formulas.and_then(|state| of(Box::new(formula_flow(scenario, state)), None))
+                let extent = &scenario.domain.extent;
+                let piece = formulas.map(|state| Piece {
+                    extent: extent.clone(),
+                    state: state.clone(),
+                });
+                let flow = formula_flow(scenario, piece.into_iter().collect());
+                of(Box::new(flow), None)
             }
             Some(Exact::Channel) => match channel_flow(scenario)? {
                 Some(flow) => of(Box::new(flow), None),

@@ -36,6 +36,10 @@ pub(super) fn beyond(plan: &Plan, series: &Series) -> Vec<String> {
                 condition => match condition.drive() {
                     None => {}
                     Some(Drive::Constant(value)) => allowed.add(*value),
+                    Some(drive @ Drive::Formula(_)) => {
+                        let points = drive.sampled(plan.duration, 1024);
+                        points.iter().for_each(|&(_, value)| allowed.add(value));
+                    }
                     Some(Drive::Series(series)) => {
                         series.values.iter().for_each(|&value| allowed.add(value));
                     }

@@ -100,6 +100,78 @@ fn manufactured_solutions_are_approached_with_the_orders_of_theorem_2() {
     }
 }
 
+/// A manufactured solution in three dimensions, of a system or of convection-diffusion.
+fn in_space(system: &str, state: &str, time: &str) -> String {
+    format!(
+        r#"
+        name = "in-space"
+        dimension = 3
+        [define]
+        k = "2*pi"
+        [domain]
+        lower = [0.0, 0.0, 0.0]
+        upper = [1.0, 1.0, 1.0]
+        sides = ["periodic", "periodic", "periodic"]
+        {system}
+        [initial]
+        kind = "manufactured"
+        state = {state}
+        [resolution]
+        particles = 4096
+        [cut-off]
+        name = "quintic-spline"
+        eta = 0.7
+        theta = 0.75
+        [time]
+        {time}
+        [output]
+        exact = "initial"
+        "#
+    )
+}
+
+/// Orders of Theorems 2 and 3 in three dimensions, on clouds that are squeezed.
+#[test]
+fn the_orders_of_theorems_2_and_3_are_seen_in_space() {
+    let flow = r#"["0.1*sin(k*x)", "0.1*sin(k*y)*cos(t)", "0.1"]"#;
+    let sound = in_space(
+        &format!("[system]\nkind = \"acoustics\"\n[motion]\nkind = \"formula\"\nvelocity = {flow}"),
+        r#"["sin(k*(x + y) - t)", "cos(k*x)*sin(k*z)", "exp(-t)*cos(k*y)", "sin(k*z - t)"]"#,
+        "end = 0.2",
+    );
+    let heat = in_space(
+        &format!(
+            "[system]\nkind = \"convection-diffusion\"\n\
+             diffusivity = \"0.02*(1 + 0.3*sin(k*x)*cos(t))\"\nvelocity = {flow}"
+        ),
+        r#""sin(k*(x + y) - t) + cos(k*x)*sin(k*z)""#,
+        "end = 0.1\nstep = 0.00625",
+    );
+    for text in [&sound, &heat] {
+        for (shape, eta, order, counts) in [
+            ("quintic-spline", "0.7", 1.5, [13824u32, 32768]),
+            ("smooth-4", "1.0", 3.0, [13824, 27000]),
+        ] {
+            let errors = counts.map(|count| {
+                let changes = [
+                    &format!("cut-off.name={shape}"),
+                    &format!("cut-off.eta={eta}"),
+                    &format!("resolution.particles={count}"),
+                ];
+                let scenario = scenario(text, &changes.map(String::as_str));
+                runs::experiment(scenario, "f64", 2).errors.unwrap()["state"].l2
+            });
+            let finer = f64::from(counts[1]) / f64::from(counts[0]);
+            let found = 3.0 * (errors[0] / errors[1]).ln() / finer.ln();
+            // So coarse, a tenth more than in the plane.
+            assert!(
+                (found - order).abs() < 0.2,
+                "{shape}: {errors:?}, order {found}, expected {order}"
+            );
+        }
+    }
+}
+
 /// The text of a built-in scenario without its exact solution, with parts replaced.
 fn text(name: &str, replaced: &[(&str, &str)]) -> String {
     let built_in = motes::scenario::built_in(name).unwrap().text;

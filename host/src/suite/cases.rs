@@ -120,7 +120,11 @@ pub const CASES: &[Case] = &[
         &[EXACT_ENERGY],
     ),
     plain("woodward-colella", 1),
-    plain("shu-osher", 1),
+    // At its free end the gas runs out, and widths grow beyond 32-bit formats.
+    Case {
+        in_fixed_point: false,
+        ..plain("shu-osher", 1)
+    },
     with(
         Case {
             unfit: &[("f32", FAINT), ("q12.19", FAINT)],

@@ -240,14 +240,14 @@ every_law!(
 // What these do otherwise than q12.19 and f32 is products and roots: the loops are the same.
 every_law!(
     Q64<U32>,
-    4,
+    2,
     [2: square],
     all_loops_give_the_same_bits_in_q31_32,
     all_loops_give_the_same_bits_with_all_options_in_q31_32
 );
 every_law!(
     Micro,
-    8,
+    4,
     [2: square],
     all_loops_give_the_same_bits_in_the_approximate_scalar,
     all_loops_give_the_same_bits_with_all_options_in_the_approximate_scalar

@@ -423,6 +423,16 @@ fn what_formulas_may_not_be_is_refused_with_the_place() {
             "at x = [0.0], t = 0: the system is not hyperbolic",
         ),
         (
+            &examples[1],
+            "motion.velocity=[\"sqrt(0.5 - x)\"]",
+            "a velocity or its slope is NaN at x = [0.50",
+        ),
+        (
+            &examples[1],
+            "initial={ kind = \"manufactured\", state = [\"sqrt(0.2 - t)\", 0] }",
+            "system.source is NaN at x = [0.0], t = 0.25",
+        ),
+        (
             &examples[2],
             "system.diffusivity=\"x - t\"",
             "the diffusivity of u is -",

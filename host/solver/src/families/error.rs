@@ -81,6 +81,21 @@ pub enum PlanError {
         /// Where, in the scenario's units.
         position: Vec<f64>,
     },
+    /// A formula that is no number somewhere.
+    #[error("{what} is {value} at x = {position:?}, t = {time}")]
+    #[diagnostic(help(
+        "change its formula so that it is an ordinary number everywhere in the domain, up to time.end"
+    ))]
+    NotFinite {
+        /// What it gives.
+        what: &'static str,
+        /// What it is there.
+        value: f64,
+        /// Where, in the scenario's units.
+        position: Vec<f64>,
+        /// When.
+        time: f64,
+    },
     /// A diffusivity that is negative or no number.
     #[error(
         "the diffusivity of {species} is {value} at x = {position:?}, t = {time}: need 0 or more"

@@ -4,7 +4,7 @@ use motes_core::cloud::Place;
 use motes_core::equation::diffusion::{Condition, DiffusionProblem, NamedProblem};
 use motes_core::scalar::Scalar;
 
-use crate::families::strengths::{BETWEEN, Frame, Plan, all_over, times};
+use crate::families::strengths::{BETWEEN, Frame, Plan, all_over, rounded, times};
 use crate::scenario::Extent;
 use crate::scenario::formula::Formula;
 use crate::scenario::linear::{Conductor, ConvectionDiffusion, Drive, Reaction};
@@ -192,7 +192,7 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionProblem<S, D, P>
         let point = formulas.frame.point(place);
         let unit = formulas.frame.units.length * formulas.frame.units.velocity;
         let of = |j: usize| formulas.diffusivity.get(j).map_or(0.0, |b| b.at(&point));
-        std::array::from_fn(|j| S::from_f64(of(j) / unit))
+        std::array::from_fn(|j| rounded(of(j) / unit))
     }
     fn between(&self, ends: [S; 2], time: S) -> Option<[S; P]> {
         DiffusionProblem::<S, D, P>::between(&self.named, ends, time)
@@ -220,7 +220,7 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionProblem<S, D, P>
             *slot = u.to_f64();
         }
         let of = |j: usize| formulas.rates.get(j).map_or(0.0, |rate| rate.at(&point));
-        std::array::from_fn(|j| S::from_f64(of(j) * formulas.frame.time()))
+        std::array::from_fn(|j| rounded(of(j) * formulas.frame.time()))
     }
     fn reaction_rate(&self) -> S {
         match self.formulas.rates.is_empty() {
@@ -241,7 +241,7 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionProblem<S, D, P>
                 continue;
             }
             let now = time.to_f64() * self.formulas.frame.time();
-            let number = S::from_f64(wall.number.at(&[0.0, 0.0, 0.0, now]) / wall.unit);
+            let number = rounded(wall.number.at(&[0.0, 0.0, 0.0, now]) / wall.unit);
             match conditions.get_mut(wall.species) {
                 Some(Condition::Value(value)) => *value = number,
                 Some(Condition::Flux(flux)) => *flux = number,

@@ -6,7 +6,7 @@ use motes_core::equation::linear::FirstOrderSystem;
 use motes_core::pairs::Fields;
 use motes_core::scalar::{Number, Scalar};
 
-use crate::families::strengths::{Frame, Plan};
+use crate::families::strengths::{Frame, Plan, rounded};
 use crate::scenario::formula::Formula;
 
 /// A system and `f(x,t)` beside its own.
@@ -46,7 +46,7 @@ where
         if let Some(source) = &self.source {
             let point = source.frame.point(place);
             for (rate, formula) in rates.iter_mut().zip(&source.formulas) {
-                *rate += S::from_f64(formula.at(&point) * source.frame.time());
+                *rate += rounded(formula.at(&point) * source.frame.time());
             }
         }
         rates

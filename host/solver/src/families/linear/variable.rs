@@ -4,7 +4,7 @@ use motes_core::cloud::Place;
 use motes_core::equation::linear::FirstOrderSystem;
 use motes_core::scalar::{Number, Scalar};
 
-use crate::families::strengths::{Frame, Plan};
+use crate::families::strengths::{Frame, Plan, rounded};
 use crate::scenario::formula::Formula;
 use crate::scenario::linear::System;
 
@@ -77,7 +77,7 @@ impl<S: Scalar, const D: usize, const P: usize> FirstOrderSystem<S, D, P> for Va
         for (matrix, entries) in medium.iter_mut().zip(&self.flux) {
             for entry in entries {
                 let value = entry.value.at(&point) / self.frame.units.velocity;
-                matrix[entry.row][entry.column] = S::from_f64(value);
+                matrix[entry.row][entry.column] = rounded(value);
             }
         }
         medium
@@ -108,7 +108,7 @@ impl<S: Scalar, const D: usize, const P: usize> FirstOrderSystem<S, D, P> for Va
         }
         let point = self.frame.point(place);
         for entry in &self.decay {
-            let rate = S::from_f64(entry.value.at(&point) * self.frame.time());
+            let rate = rounded::<S>(entry.value.at(&point) * self.frame.time());
             rates[entry.row] += rate * u[entry.column];
         }
         rates

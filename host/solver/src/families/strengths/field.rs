@@ -6,7 +6,7 @@ use motes_core::equation::linear::{
 };
 use motes_core::scalar::Scalar;
 
-use super::frame::{BETWEEN, Frame, all_over, times};
+use super::frame::{BETWEEN, Frame, all_over, rounded, times};
 use crate::scenario::Extent;
 use crate::scenario::linear::{Field, FormulaField};
 
@@ -51,7 +51,7 @@ pub struct ScaledField {
 impl ScaledField {
     /// A slope in solver units.
     fn slope<S: Scalar>(&self, slope: f64) -> S {
-        S::from_f64(slope * self.frame.time())
+        rounded(slope * self.frame.time())
     }
 }
 
@@ -59,7 +59,7 @@ impl<S: Scalar, const D: usize> VelocityField<S, D> for ScaledField {
     fn velocity(&self, place: &Place<S, D>) -> [S; D] {
         let point = self.frame.point(place);
         let of = |i: usize| self.field.velocity.get(i).map_or(0.0, |of| of.at(&point));
-        std::array::from_fn(|i| S::from_f64(of(i) / self.frame.units.velocity))
+        std::array::from_fn(|i| rounded(of(i) / self.frame.units.velocity))
     }
     fn divergence(&self, place: &Place<S, D>) -> S {
         let point = self.frame.point(place);

@@ -46,6 +46,15 @@ impl Frame {
     }
 }
 
+/// The value of a formula in the scalar of a run. What is no number stays none in floats; a format that
+/// has none takes its largest number, which no proof lets pass.
+pub(in crate::families) fn rounded<S: Scalar>(value: f64) -> S {
+    match value.is_nan() && S::WRAPS {
+        true => S::LARGEST,
+        false => S::from_f64(value),
+    }
+}
+
 /// Nodes along each direction, and times, at which formulas are looked at before a run.
 const NODES: [usize; 3] = [257, 33, 13];
 /// Times, equally spaced from the start to the end.

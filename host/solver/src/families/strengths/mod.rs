@@ -20,13 +20,14 @@ mod plan;
 mod principle;
 mod quadrature;
 mod simulation;
+mod sizes;
 mod solver;
 mod waves;
 
 pub(super) use balance::Source;
 pub use field::{RunField, ScaledField};
 pub use frame::Frame;
-pub(super) use frame::{BETWEEN, all_over, times};
+pub(super) use frame::{BETWEEN, all_over, rounded, times};
 pub(super) use geometry::{flow, length, periods, spread, wave_vector};
 pub(super) use memory::CloudArrays;
 pub use plan::Plan;

@@ -19,6 +19,7 @@ use super::jumps;
 use super::layers;
 use super::particles::{Particles, particle};
 use super::quadrature::Quadrature;
+use super::sizes::Sizes;
 use super::waves::Waves;
 use crate::exact::linear::error::SolutionError;
 use crate::exact::solution::Solution;
@@ -59,6 +60,8 @@ pub struct Plan {
     pub symmetriser: Option<Symmetriser>,
     /// The waves, where the matrices are formulas.
     pub(in crate::families) waves: Option<Waves>,
+    /// How large velocities and sources of formulas become, in the scenario's units.
+    sizes: Sizes,
     /// What the particles follow.
     pub(in crate::families) field: PlannedField,
     /// The speed of the fastest of them at the start.
@@ -167,6 +170,7 @@ impl Plan {
             source: scenario.source.clone(),
             symmetriser,
             waves,
+            sizes: Sizes::of(scenario)?,
             field: PlannedField::new(
                 &scenario.motion,
                 &scenario.domain.extent,
@@ -276,6 +280,16 @@ impl Plan {
             ("a value", largest(&self.values)),
             ("what drives a wall", self.largest_drive()),
         ];
+        if self.source.is_some() {
+            numbers.push(("a source", self.sizes.source * self.unit_of_time()));
+        }
+        if self.sizes.velocity > 0.0 {
+            numbers.push(("a velocity", self.sizes.velocity / self.units.velocity));
+        }
+        if let Some(waves) = self.waves {
+            numbers.push(("a wave speed", waves.speed / self.units.velocity));
+            numbers.push(("the decay", waves.damping * self.unit_of_time()));
+        }
         numbers.extend(self.step.map(|step| ("the time step", step)));
         for axis in &self.axes[..self.dimension] {
             numbers.push(("the length of the domain", axis.upper - axis.lower));

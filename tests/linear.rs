@@ -23,7 +23,7 @@ fn plan(scenario: &LinearScenario) -> strengths::Plan {
 #[test]
 fn every_system_keeps_its_tolerance_in_f64_and_f32() {
     let all = built_in(false);
-    assert_eq!(all.len(), 13);
+    assert_eq!(all.len(), 15);
     for scenario in &all {
         assert_tolerances(scenario);
     }

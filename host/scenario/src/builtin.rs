@@ -60,6 +60,8 @@ built_in! {
     "transport-compression" 0.5
     "transport-mesh" 6.0
     "manufactured" 1.0
+    "acoustics-medium" 0.1
+    "sloping-bed" 0.5
     "shallow-water" 1.0
     "maxwell-te" 1.0
     "elastic-waves" 2.0

@@ -1,6 +1,7 @@
 //! Changes to TOML text in place, by the bytes that the parser found: what is not changed keeps its
 //! comments, its blanks and its order.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use toml::Spanned;
@@ -51,6 +52,16 @@ enum Form<'a> {
     },
     /// None of its own: it is only named in headers, as `tolerance` is in `[tolerance.density]`.
     Implied,
+}
+
+/// A key as TOML writes it: in quotes where it has more than letters, digits, `-` and `_`, as a
+/// definition of a function has.
+pub(super) fn written_key(key: &str) -> Cow<'_, str> {
+    let is_bare = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    match key.chars().all(is_bare) {
+        true => Cow::Borrowed(key),
+        false => Cow::Owned(format!("{key:?}")),
+    }
 }
 
 impl<'a> Spot<'a> {
@@ -174,13 +185,16 @@ impl<'a> Spot<'a> {
         };
         vec![Edit {
             range: end..end,
-            text: format!("{before}{newline}[{section}]{newline}{key} = {value}{newline}"),
+            text: format!(
+                "{before}{newline}[{section}]{newline}{key} = {value}{newline}",
+                key = written_key(key)
+            ),
         }]
     }
 
     /// A new entry, behind the last of those that stay.
     fn insertion(&self, key: &str, value: &str, out: &[Range<usize>]) -> Edit {
-        let entry = format!("{}{key} = {value}", self.prefix);
+        let entry = format!("{}{} = {value}", self.prefix, written_key(key));
         let at = |byte: usize, text: String| Edit {
             range: byte..byte,
             text,

@@ -2,7 +2,7 @@
 
 use motes_formula::FormulaFault;
 
-use crate::keys::Family;
+use crate::keys::{DEFINE, Family};
 use crate::nearest::nearest;
 use crate::problem::{Problem, within};
 use crate::snippet::shortened as short;
@@ -153,6 +153,9 @@ impl Problem {
 
 /// "did you mean ...? the keys of [section] are: ..."
 fn known_keys(key: &str, section: &str, known: &[impl AsRef<str>]) -> String {
+    if section == DEFINE {
+        return "any name may be defined: a constant, k = \"2*pi\", or a function, \"c(s)\" = \"1 + s^2\"".to_owned();
+    }
     let names: Vec<&str> = known.iter().map(AsRef::as_ref).collect();
     format!(
         "{}the keys {} are: {}",

@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use toml::de::DeValue;
 
 use crate::document::Document;
-use crate::edit::{Edit, Spot, edited};
+use crate::edit::{Edit, Spot, edited, written_key};
 use crate::keys::{self, Family, LISTS, ROOT};
 use crate::problem::Problem;
 
@@ -166,13 +166,13 @@ impl<'a> Change<'a> {
         };
         // What lies within a missing section stands in braces there.
         for inner in within.iter().rev() {
-            value = Cow::Owned(format!("{{ {key} = {value} }}"));
+            value = Cow::Owned(format!("{{ {} = {value} }}", written_key(key)));
             key = inner;
         }
         if way.spot.is_root() {
             return Some(way.spot.append(section, key, &value));
         }
-        let value = format!("{{ {key} = {value} }}");
+        let value = format!("{{ {} = {value} }}", written_key(key));
         way.spot.put(section, &value, &[])
     }
 

@@ -113,6 +113,26 @@ fn definitions_are_changed_by_set_and_sections_by_plain_values() {
         panic!("formulas");
     };
     assert_eq!(exact[0].at(&[0.5, 0.0, 0.0, 2.0]), 4.0 * libm::sin(0.5));
+    // A function that there was not, in a section that there was and in one that there was not.
+    for text in [
+        HEAT.to_owned(),
+        HEAT.replace("[define]\ndecay = \"exp(-t)\"\n", "")
+            .replace("*decay", ""),
+    ] {
+        let changes = ["define.f(s)=\"3*s\"", "initial.state=\"f(x)\""];
+        let AnyScenario::Linear(scenario) = read(&text, &changes).unwrap() else {
+            panic!("a system");
+        };
+        let Some(linear::Initial::Formula { state }) = &scenario.initial else {
+            panic!("formulas");
+        };
+        assert_eq!(state[0].at(&[0.5, 0.0, 0.0, 0.0]), 1.5);
+    }
+    let error = read(HEAT, &["define=3"]).unwrap_err();
+    assert_report_holds(
+        &error,
+        &["--set define names a section", "any name may be defined"],
+    );
     let AnyScenario::Gas(sod) =
         AnyScenario::read(Source::from("sod"), &["output.exact=reference".to_owned()]).unwrap()
     else {

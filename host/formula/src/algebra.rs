@@ -3,7 +3,7 @@
 use std::ops::{Add, Mul, Sub};
 
 use crate::formula::Formula;
-use crate::function::{Binary, Function};
+use crate::function::{BinaryFunction, Function};
 use crate::graph::{Graph, Node, Operation};
 
 /// What formulas made of others show as their text.
@@ -39,10 +39,10 @@ impl Formula {
 
     /// The larger of two.
     pub fn maximum(&self, other: &Self) -> Self {
-        self.combined(Binary::Maximum, other)
+        self.combined(BinaryFunction::Maximum, other)
     }
 
-    fn combined(&self, binary: Binary, other: &Self) -> Self {
+    fn combined(&self, binary: BinaryFunction, other: &Self) -> Self {
         let mut graph = Graph::default();
         let (a, b) = (
             copied(&mut graph, self, &[]),
@@ -76,20 +76,20 @@ fn copied(graph: &mut Graph, formula: &Formula, variables: &[Node]) -> Node {
 impl Add for &Formula {
     type Output = Formula;
     fn add(self, other: Self) -> Formula {
-        self.combined(Binary::Add, other)
+        self.combined(BinaryFunction::Add, other)
     }
 }
 
 impl Sub for &Formula {
     type Output = Formula;
     fn sub(self, other: Self) -> Formula {
-        self.combined(Binary::Subtract, other)
+        self.combined(BinaryFunction::Subtract, other)
     }
 }
 
 impl Mul for &Formula {
     type Output = Formula;
     fn mul(self, other: Self) -> Formula {
-        self.combined(Binary::Multiply, other)
+        self.combined(BinaryFunction::Multiply, other)
     }
 }

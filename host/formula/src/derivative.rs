@@ -1,6 +1,6 @@
 //! The derivative of a list of operations.
 
-use crate::function::{Binary, Function};
+use crate::function::{BinaryFunction, Function};
 use crate::graph::{Graph, Node, Operation};
 
 /// Adds the derivative of a node with respect to a variable to its graph.
@@ -32,7 +32,7 @@ pub(crate) fn derivative(graph: &mut Graph, node: Node, variable: usize) -> Node
 
 /// Of `value = function(a)`.
 fn of_call(graph: &mut Graph, function: Function, (a, slope): (Node, Node), value: Node) -> Node {
-    use Binary::{Add, Divide, Multiply, Subtract};
+    use BinaryFunction::{Add, Divide, Multiply, Subtract};
     let one = graph.number(1.0);
     let square = |graph: &mut Graph, node| graph.pair(Multiply, node, node);
     let factor = match function {
@@ -85,7 +85,7 @@ fn of_call(graph: &mut Graph, function: Function, (a, slope): (Node, Node), valu
             let below = graph.pair(Multiply, two, value);
             let quotient = graph.pair(Divide, slope, below);
             let zero = graph.number(0.0);
-            let is_flat = graph.pair(Binary::Equal, slope, zero);
+            let is_flat = graph.pair(BinaryFunction::Equal, slope, zero);
             return graph.choice(is_flat, zero, quotient);
         }
         Function::Tan => {
@@ -103,11 +103,11 @@ fn of_call(graph: &mut Graph, function: Function, (a, slope): (Node, Node), valu
 /// Of `value = binary(a, b)`, with the operands' derivatives.
 fn of_pair(
     graph: &mut Graph,
-    binary: Binary,
+    binary: BinaryFunction,
     [(a, a_slope), (b, b_slope)]: [(Node, Node); 2],
     value: Node,
 ) -> Node {
-    use Binary::{Add, Divide, Multiply, Power, Subtract};
+    use BinaryFunction::{Add, Divide, Multiply, Power, Subtract};
     match binary {
         Add | Subtract => graph.pair(binary, a_slope, b_slope),
         Multiply => {
@@ -137,22 +137,22 @@ fn of_pair(
             graph.pair(Add, of_base, of_exponent)
         }
         // a' - floor(a/b) b'
-        Binary::Remainder => {
+        BinaryFunction::Remainder => {
             let quotient = graph.pair(Divide, a, b);
             let whole = graph.call(Function::Floor, quotient);
             let lost = graph.pair(Multiply, whole, b_slope);
             graph.pair(Subtract, a_slope, lost)
         }
-        Binary::Minimum => {
-            let is_first = graph.pair(Binary::Less, a, b);
+        BinaryFunction::Minimum => {
+            let is_first = graph.pair(BinaryFunction::Less, a, b);
             graph.choice(is_first, a_slope, b_slope)
         }
-        Binary::Maximum => {
-            let is_first = graph.pair(Binary::Less, b, a);
+        BinaryFunction::Maximum => {
+            let is_first = graph.pair(BinaryFunction::Less, b, a);
             graph.choice(is_first, a_slope, b_slope)
         }
         // (a' b - a b')/(a² + b²)
-        Binary::Atan2 => {
+        BinaryFunction::Atan2 => {
             let left = graph.pair(Multiply, a_slope, b);
             let right = graph.pair(Multiply, a, b_slope);
             let above = graph.pair(Subtract, left, right);
@@ -160,6 +160,8 @@ fn of_pair(
             let below = graph.pair(Add, a, b);
             graph.pair(Divide, above, below)
         }
-        Binary::Less | Binary::LessOrEqual | Binary::Equal => graph.number(0.0),
+        BinaryFunction::Less | BinaryFunction::LessOrEqual | BinaryFunction::Equal => {
+            graph.number(0.0)
+        }
     }
 }

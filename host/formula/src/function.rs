@@ -77,7 +77,7 @@ impl Function {
 
 /// A function of two numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) enum Binary {
+pub(crate) enum BinaryFunction {
     Add,
     Subtract,
     Multiply,
@@ -93,13 +93,13 @@ pub(crate) enum Binary {
 }
 
 /// The functions of two numbers that are called by name.
-pub(crate) const BINARY: [(&str, Binary); 3] = [
-    ("atan2", Binary::Atan2),
-    ("max", Binary::Maximum),
-    ("min", Binary::Minimum),
+pub(crate) const BINARY: [(&str, BinaryFunction); 3] = [
+    ("atan2", BinaryFunction::Atan2),
+    ("max", BinaryFunction::Maximum),
+    ("min", BinaryFunction::Minimum),
 ];
 
-impl Binary {
+impl BinaryFunction {
     /// Its value; of a comparison 1 where it holds, else 0.
     pub fn of(self, a: f64, b: f64) -> f64 {
         let truth = |holds: bool| f64::from(u8::from(holds));

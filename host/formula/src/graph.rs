@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::function::{Binary, Function};
+use crate::function::{BinaryFunction, Function};
 
 /// The place of an operation in its graph.
 pub(crate) type Node = usize;
@@ -14,7 +14,7 @@ pub(crate) enum Operation {
     /// A variable by its place in the scope.
     Variable(usize),
     Call(Function, Node),
-    Pair(Binary, Node, Node),
+    Pair(BinaryFunction, Node, Node),
     /// The second where the first is not 0, else the third.
     Choice(Node, Node, Node),
 }
@@ -89,17 +89,21 @@ impl Graph {
 
     /// Leaves out what changes nothing: `a + 0`, `1 a`, `a/1`, `a^1`; and makes `0 a` 0, as
     /// derivatives need: where a is infinite, the derivative of a constant is 0 still.
-    pub fn pair(&mut self, binary: Binary, a: Node, b: Node) -> Node {
+    pub fn pair(&mut self, binary: BinaryFunction, a: Node, b: Node) -> Node {
         let is = |node: Option<f64>, value: f64| node == Some(value);
         match (binary, self.value(a), self.value(b)) {
             (_, Some(a), Some(b)) => self.number(binary.of(a, b)),
-            (Binary::Add, x, _) if is(x, 0.0) => b,
-            (Binary::Add | Binary::Subtract, _, y) if is(y, 0.0) => a,
-            (Binary::Multiply, x, _) if is(x, 1.0) => b,
-            (Binary::Multiply | Binary::Divide | Binary::Power, _, y) if is(y, 1.0) => a,
-            (Binary::Multiply, x, y) if is(x, 0.0) || is(y, 0.0) => self.number(0.0),
-            (Binary::Divide, x, _) if is(x, 0.0) => a,
-            (Binary::Power, _, y) if is(y, 0.0) => self.number(1.0),
+            (BinaryFunction::Add, x, _) if is(x, 0.0) => b,
+            (BinaryFunction::Add | BinaryFunction::Subtract, _, y) if is(y, 0.0) => a,
+            (BinaryFunction::Multiply, x, _) if is(x, 1.0) => b,
+            (BinaryFunction::Multiply | BinaryFunction::Divide | BinaryFunction::Power, _, y)
+                if is(y, 1.0) =>
+            {
+                a
+            }
+            (BinaryFunction::Multiply, x, y) if is(x, 0.0) || is(y, 0.0) => self.number(0.0),
+            (BinaryFunction::Divide, x, _) if is(x, 0.0) => a,
+            (BinaryFunction::Power, _, y) if is(y, 0.0) => self.number(1.0),
             _ => self.push(Operation::Pair(binary, a, b)),
         }
     }
@@ -116,8 +120,8 @@ impl Graph {
         let zero = self.number(0.0);
         let minus = self.number(-1.0);
         match self.value(a) {
-            Some(_) => self.pair(Binary::Subtract, zero, a),
-            None => self.pair(Binary::Multiply, minus, a),
+            Some(_) => self.pair(BinaryFunction::Subtract, zero, a),
+            None => self.pair(BinaryFunction::Multiply, minus, a),
         }
     }
 

@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use crate::error::{FormulaError, FormulaFault};
-use crate::function::{BINARY, Binary, FUNCTIONS};
+use crate::function::{BINARY, BinaryFunction, FUNCTIONS};
 use crate::graph::{Graph, MOST, Node};
 use crate::scope::{Definition, IF, PI, Scope};
 use crate::token::{Token, tokens};
@@ -152,11 +152,11 @@ impl<'a, 'g> Parser<'a, 'g> {
         };
         let b = self.sum()?;
         let node = match sign {
-            "<" => self.graph.pair(Binary::Less, a, b),
-            ">" => self.graph.pair(Binary::Less, b, a),
-            "<=" => self.graph.pair(Binary::LessOrEqual, a, b),
-            ">=" => self.graph.pair(Binary::LessOrEqual, b, a),
-            _ => self.graph.pair(Binary::Equal, a, b),
+            "<" => self.graph.pair(BinaryFunction::Less, a, b),
+            ">" => self.graph.pair(BinaryFunction::Less, b, a),
+            "<=" => self.graph.pair(BinaryFunction::LessOrEqual, a, b),
+            ">=" => self.graph.pair(BinaryFunction::LessOrEqual, b, a),
+            _ => self.graph.pair(BinaryFunction::Equal, a, b),
         };
         if self.one_of(&SIGNS).is_some() {
             return Err(FormulaError::new(FormulaFault::Chained, self.last()));
@@ -165,7 +165,7 @@ impl<'a, 'g> Parser<'a, 'g> {
             return Ok(node);
         }
         let one = self.graph.number(1.0);
-        Ok(self.graph.pair(Binary::Subtract, one, node))
+        Ok(self.graph.pair(BinaryFunction::Subtract, one, node))
     }
 
     fn sum(&mut self) -> Read {
@@ -173,8 +173,8 @@ impl<'a, 'g> Parser<'a, 'g> {
         while let Some(sign) = self.one_of(&["+", "-"]) {
             let b = self.product()?;
             let binary = match sign {
-                "+" => Binary::Add,
-                _ => Binary::Subtract,
+                "+" => BinaryFunction::Add,
+                _ => BinaryFunction::Subtract,
             };
             a = self.graph.pair(binary, a, b);
         }
@@ -186,9 +186,9 @@ impl<'a, 'g> Parser<'a, 'g> {
         while let Some(sign) = self.one_of(&["*", "/", "%"]) {
             let b = self.signed()?;
             let binary = match sign {
-                "*" => Binary::Multiply,
-                "/" => Binary::Divide,
-                _ => Binary::Remainder,
+                "*" => BinaryFunction::Multiply,
+                "/" => BinaryFunction::Divide,
+                _ => BinaryFunction::Remainder,
             };
             a = self.graph.pair(binary, a, b);
         }
@@ -221,7 +221,7 @@ impl<'a, 'g> Parser<'a, 'g> {
             return Ok(a);
         }
         let b = self.signed()?;
-        Ok(self.graph.pair(Binary::Power, a, b))
+        Ok(self.graph.pair(BinaryFunction::Power, a, b))
     }
 
     /// A number, a name, a call or a parenthesis.
@@ -329,7 +329,7 @@ impl<'a, 'g> Parser<'a, 'g> {
         if let Some((_, binary)) = BINARY.iter().find(|of| of.0 == name) {
             return match (arguments.len(), binary) {
                 (2, _) => Ok(self.graph.pair(*binary, arguments[0], arguments[1])),
-                (3.., Binary::Minimum | Binary::Maximum) => {
+                (3.., BinaryFunction::Minimum | BinaryFunction::Maximum) => {
                     let rest = arguments[1..].iter();
                     Ok(rest.fold(arguments[0], |a, b| self.graph.pair(*binary, a, *b)))
                 }

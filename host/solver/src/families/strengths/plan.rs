@@ -20,7 +20,7 @@ use super::layers;
 use super::particles::{Particles, particle};
 use super::quadrature::Quadrature;
 use super::sizes::Sizes;
-use super::waves::Waves;
+use super::waves::WaveBounds;
 use crate::exact::linear::error::SolutionError;
 use crate::exact::solution::Solution;
 use crate::families::PlanError;
@@ -59,7 +59,7 @@ pub struct Plan {
     /// The symmetriser, where the equations are given as matrices.
     pub symmetriser: Option<Symmetriser>,
     /// The waves, where the matrices are formulas.
-    pub(in crate::families) waves: Option<Waves>,
+    pub(in crate::families) waves: Option<WaveBounds>,
     /// How large velocities and sources of formulas become, in the scenario's units.
     sizes: Sizes,
     /// What the particles follow.
@@ -131,7 +131,7 @@ impl Plan {
             _ => None,
         };
         let extent = &scenario.domain.extent;
-        let waves = Waves::of(&scenario.system, extent, scenario.time.end)?;
+        let waves = WaveBounds::of(&scenario.system, extent, scenario.time.end)?;
         let volume: f64 = scenario.domain.extent.volume();
         let spacing = libm::pow(volume / count as f64, 1.0 / dimension as f64);
         let units = Units {

@@ -9,7 +9,7 @@ use crate::symmetriser::Symmetriser;
 
 /// What bounds the steps of a system whose matrices are formulas, in the scenario's units.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::families) struct Waves {
+pub(in crate::families) struct WaveBounds {
     /// The largest `|eigenvalue|` of `Σ_i n_i A^i`, `|n| = 1`.
     pub speed: f64,
     /// A bound of the `|eigenvalues|` of `A⁰`.
@@ -21,7 +21,7 @@ const NODES: [usize; 3] = [33, 7, 4];
 /// What a speed may be between them, in those at them.
 const BETWEEN: f64 = 1.1;
 
-impl Waves {
+impl WaveBounds {
     /// Those of a system over a box, from 0 to a time; `None` for another system.
     ///
     /// # Errors

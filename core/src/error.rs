@@ -140,6 +140,8 @@ pub enum Error {
     },
     /// The engine was asked to stop before its sums were whole.
     Interrupted,
+    /// The words of a state end before the state does, or do not fit into their memory.
+    Truncated,
     /// The time step is below the resolution of the time.
     Stalled,
     /// Internal energy below zero.
@@ -282,6 +284,10 @@ impl fmt::Display for Error {
                 "{parameter} is not a finite number: the state is as it was; set it and step again"
             ),
             Self::Interrupted => f.write_str("interrupted in mid-step"),
+            Self::Truncated => f.write_str(
+                "the words end before the state does: the memory that it was saved to is too small, or \
+                 holds another one",
+            ),
             Self::Stalled => f.write_str(
                 "the time step is below the resolution of the time in this number format: use a \
                  format with more digits, or a shorter run",

@@ -3,7 +3,7 @@
 
 mod small_tube;
 
-use motes_core::cloud::{Column, ColumnMut, Columns, Particle, Still};
+use motes_core::cloud::{Column, ColumnMut, Columns, Load, Particle, Save, Still, Wave};
 use motes_core::cutoff::{CubicSpline, QuinticSpline};
 use motes_core::domain::{Axis, Domain};
 use motes_core::equation::diffusion::{
@@ -258,6 +258,115 @@ fn a_state_that_is_copied_field_by_field_goes_on_with_the_same_bits() {
         run.advance_to(9.0).unwrap();
     }
     assert_eq!(first.state().digest(), second.state().digest());
+}
+
+/// Saves a run, and what the words come to after it.
+fn saved(pass: impl FnOnce(&mut dyn FnMut(&[u8]) -> Result<(), Error>)) -> Vec<u8> {
+    let mut memory = Vec::new();
+    pass(&mut |bytes| {
+        memory.extend_from_slice(bytes);
+        Ok(())
+    });
+    memory
+}
+
+/// Fills words from memory.
+fn from(mut rest: &[u8]) -> Load<impl FnMut(&mut [u8]) -> Result<(), Error>> {
+    Load(move |bytes: &mut [u8]| {
+        let (first, left) = rest.split_at_checked(bytes.len()).ok_or(Error::Truncated)?;
+        bytes.copy_from_slice(first);
+        rest = left;
+        Ok(())
+    })
+}
+
+/// Makes a run, saves it after some steps, loads that into another one at its start, and goes on with both.
+macro_rules! goes_on_with_the_same_bits {
+    ($run:expr, $steps:expr) => {
+        for steps in 0..$steps {
+            let mut first = $run;
+            for _ in 0..steps {
+                first.step().unwrap().unwrap();
+            }
+            let words = saved(|put| first.pass(&mut Save(put)).unwrap());
+            let mut second = $run;
+            second.pass(&mut from(&words)).unwrap();
+            assert_eq!(second.clock(), first.clock());
+            assert_eq!(second.evaluations(), first.evaluations());
+            for _ in 0..5 {
+                assert_eq!(second.step(), first.step());
+            }
+            assert_eq!(second.state().digest(), first.state().digest(), "{steps}");
+            // Saving has changed nothing either.
+            let mut third = $run;
+            for _ in 0..steps + 5 {
+                third.step().unwrap().unwrap();
+            }
+            assert_eq!(third.state().digest(), first.state().digest(), "{steps}");
+        }
+    };
+}
+
+/// As a device that loses its power at any step.
+#[test]
+fn a_run_that_is_saved_and_loaded_at_any_step_goes_on_with_the_same_bits() {
+    let materials = [TUBE.material()];
+    goes_on_with_the_same_bits!(
+        Stepper::new(gas(&materials), LeapFrog, HalfLoop, gas_memory()).unwrap(),
+        20
+    );
+    goes_on_with_the_same_bits!(
+        Stepper::new(line(), RK4, HalfLoop, line_memory()).unwrap(),
+        20
+    );
+    goes_on_with_the_same_bits!(
+        Stepper::new(wall(), METHOD, HalfLoop, wall_memory()).unwrap(),
+        10
+    );
+    // A cloud that moves and is squeezed: the step follows from what the last stage saw.
+    let squeezed = |form| DiffusionDynamics {
+        domain: Domain {
+            axes: [Axis::periodic(0.0, 64.0)],
+        },
+        cut_off: QuinticSpline,
+        epsilon: 1.5,
+        problem: NamedProblem::heat([1.0]),
+        field: Wave {
+            amplitude: 0.5,
+            length: 64.0,
+            phase: 0.1,
+        },
+        form,
+        mean: Mean::Arithmetic,
+        courant: 0.5,
+    };
+    let by_runge_kutta = DiffusionMethod {
+        scheme: Scheme::RungeKutta(RK4),
+        longest: 1e9,
+    };
+    let forms = [Form::Direct, Form::Mixed];
+    for (form, method) in forms.into_iter().zip([by_runge_kutta, METHOD]) {
+        goes_on_with_the_same_bits!(
+            Stepper::new(squeezed(form), method, HalfLoop, wall_memory()).unwrap(),
+            10
+        );
+    }
+}
+
+#[test]
+fn words_that_end_too_soon_or_of_another_cloud_are_refused() {
+    let mut run = Stepper::new(line(), RK4, HalfLoop, line_memory()).unwrap();
+    run.advance_to(2.0).unwrap();
+    let words = saved(|put| run.pass(&mut Save(put)).unwrap());
+    let fresh = || Stepper::new(line(), RK4, HalfLoop, line_memory()).unwrap();
+    for length in 0..words.len() {
+        let short = fresh().pass(&mut from(&words[..length]));
+        assert_eq!(short, Err(Error::Truncated), "{length}");
+    }
+    let mut smaller = fresh();
+    smaller.swap_remove(5);
+    assert_eq!(smaller.pass(&mut from(&words)), Err(Error::Lengths));
+    assert!(Error::Truncated.to_string().contains("too small"));
 }
 
 #[test]

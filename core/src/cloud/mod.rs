@@ -9,6 +9,7 @@ mod state;
 #[cfg(feature = "heapless")]
 mod storage;
 mod velocity;
+mod words;
 
 pub(crate) use column::columns;
 pub use column::{Column, ColumnMut, Columns, Components, Field, Kind, Role, Unit};
@@ -21,3 +22,4 @@ pub(crate) use storage::{CloudParts, CloudStorage};
 pub use velocity::{
     Compression, Named as NamedField, Rotation, Shear, Still, Uniform, VelocityField, Wave,
 };
+pub use words::{Load, Save, Words};

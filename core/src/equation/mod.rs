@@ -8,7 +8,7 @@ mod range;
 
 pub(crate) use range::{own_rate, prove_own, prove_rates, with_own};
 
-use crate::cloud::Columns;
+use crate::cloud::{Columns, Words};
 use crate::error::{Error, Parameter};
 use crate::pairs::Engine;
 use crate::scalar::Scalar;
@@ -71,6 +71,14 @@ pub trait Dynamics<S: Scalar, const D: usize> {
         parts: &mut Parts<'_, S, Self, D>,
         step: Step<S>,
     ) -> Result<u32, Error>;
+
+    /// Passes all that the next step starts from: saves it, or puts what was saved in its place, for
+    /// as many particles. Then the next step has the bits that it would have had.
+    ///
+    /// Errors: those of [`Words`]. A state that is read is neither the old nor the new one then.
+    fn pass(&self, parts: &mut Parts<'_, S, Self, D>, words: &mut dyn Words) -> Result<(), Error> {
+        words.columns(&mut parts.state)
+    }
 
     /// Lets particles come and go between two steps.
     fn exchange<M: Storage<S, Self, D>>(&self, storage: &mut M) -> Result<(), Error> {

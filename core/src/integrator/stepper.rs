@@ -1,5 +1,6 @@
 //! A run that can be held, stepped and looked into: the same on a device and on a server.
 
+use crate::cloud::Words;
 use crate::equation::{Dynamics, Parts, Step, Storage};
 use crate::error::Error;
 use crate::pairs::Engine;
@@ -128,6 +129,68 @@ where
     pub fn swap_remove(&mut self, id: usize) {
         self.stale = true;
         self.storage.swap_remove(id);
+    }
+
+    /// Passes the run: saves where it is, or makes it the one that was saved, of the same equation and as
+    /// many particles. It goes on with the bits that it would have had.
+    ///
+    /// ```
+    /// # use motes_core::{cloud::{Load, Save}, cutoff::QuinticSpline, domain::{Axis, Domain}, error::Error};
+    /// # use motes_core::equation::linear::{LinearDynamics, LinearStorage, Particle, Still};
+    /// # use motes_core::equation::linear::systems::{Acoustics, Units};
+    /// # use motes_core::{integrator::{RK4, Stepper}, neighbours::cell_bound, pairs::{HalfLoop, Nothing}};
+    /// # const N: usize = 16;
+    /// # const CELLS: usize = cell_bound(N as u32) as usize + 1;
+    /// # let mut storage = LinearStorage::<f32, Nothing, 1, 2, N, CELLS>::new();
+    /// # for k in 0..N {
+    /// #     storage.push(Particle { position: [k as f32 + 0.5], weight: 1.0, value: [k as f32, 0.0] })?;
+    /// # }
+    /// # let domain = Domain { axes: [Axis::periodic(0.0, N as f32)] };
+    /// # let sound = Acoustics::new(1.0, 1.0, Units::ONE);
+    /// # let dynamics = LinearDynamics::new(domain, (QuinticSpline, 1.5), sound, Still, 0.5);
+    /// # let mut line = Stepper::new(dynamics, RK4, HalfLoop, storage)?;
+    /// line.advance_to(1.0)?;
+    /// let (mut memory, mut used) = ([0u8; 1024], 0);
+    /// line.pass(&mut Save(|bytes: &[u8]| {
+    ///     let room = memory.get_mut(used..used + bytes.len()).ok_or(Error::Truncated)?;
+    ///     room.copy_from_slice(bytes);
+    ///     used += bytes.len();
+    ///     Ok(())
+    /// }))?;
+    /// line.advance_to(2.0)?;
+    /// let (there, mut rest) = (line.state().digest(), &memory[..used]);
+    /// line.pass(&mut Load(|bytes: &mut [u8]| {
+    ///     let (first, left) = rest.split_at_checked(bytes.len()).ok_or(Error::Truncated)?;
+    ///     bytes.copy_from_slice(first);
+    ///     rest = left;
+    ///     Ok(())
+    /// }))?;
+    /// line.advance_to(2.0)?;
+    /// assert_eq!(line.state().digest(), there);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// Errors: those of [`Words`]. Of what is read neither the clock nor the state is to be used then; a
+    /// memory that may lose bits is checked first, by [`crate::digest::Digester::integers`].
+    pub fn pass(&mut self, words: &mut impl Words) -> Result<(), Error> {
+        let words: &mut dyn Words = words;
+        words.scalar(&mut self.clock.time)?;
+        words.count(&mut self.clock.steps)?;
+        words.count(&mut self.evaluations)?;
+        let Self {
+            dynamics,
+            engine,
+            storage,
+            clock,
+            ..
+        } = self;
+        let mut parts = storage.parts();
+        if self.stale && !words.fills() {
+            dynamics.resume(engine, &mut parts, clock.time)?;
+        }
+        dynamics.pass(&mut parts, words)?;
+        self.stale = false;
+        Ok(())
     }
 
     /// Makes one step; its length, and `None` where the end has been reached.

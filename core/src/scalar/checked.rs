@@ -206,6 +206,15 @@ impl<S: Scalar> Scalar for Checked<S> {
     fn wide_bits(wide: CheckedWide<S>) -> u128 {
         S::wide_bits(wide.wide)
     }
+    /// Without a mark: the pattern holds none.
+    fn from_wide_bits(bits: u128) -> CheckedWide<S> {
+        let wide = S::from_wide_bits(bits);
+        CheckedWide {
+            wide,
+            unlimited: S::wide_to_f64(wide),
+            overflowed: false,
+        }
+    }
     fn step(self, a: Self, b: Self, left: &mut Self) -> Self {
         let unlimited = a.value.to_f64() * b.value.to_f64();
         let step = self.value.step(a.value, b.value, &mut left.value);

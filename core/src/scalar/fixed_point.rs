@@ -264,6 +264,10 @@ macro_rules! fixed_point {
                 wide as $wide_unsigned as u128
             }
             #[inline(always)]
+            fn from_wide_bits(bits: u128) -> $wide {
+                bits as $wide_unsigned as $wide
+            }
+            #[inline(always)]
             fn step(self, a: Self, b: Self, left: &mut Self) -> Self {
                 let wide = Self::product(a, b).wrapping_add(left.to_bits() as $wide);
                 let whole = Self::whole(wide);

@@ -111,6 +111,10 @@ macro_rules! float {
                 u128::from(wide.to_bits())
             }
             #[inline(always)]
+            fn from_wide_bits(bits: u128) -> Self {
+                <Self as Scalar>::from_bits(bits as u64)
+            }
+            #[inline(always)]
             fn step(self, a: Self, b: Self, left: &mut Self) -> Self {
                 if !$carries {
                     return a * b;

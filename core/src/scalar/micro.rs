@@ -147,6 +147,10 @@ impl Scalar for Micro {
         f32::wide_bits(wide.0)
     }
     #[inline(always)]
+    fn from_wide_bits(bits: u128) -> Self {
+        Self(f32::from_wide_bits(bits))
+    }
+    #[inline(always)]
     fn step(self, a: Self, b: Self, left: &mut Self) -> Self {
         Self(self.0.step(a.0, b.0, &mut left.0))
     }

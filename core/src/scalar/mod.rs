@@ -127,6 +127,8 @@ pub trait Scalar: Number<Scalar = Self> + PartialOrd + Debug + Send + Sync + 'st
     fn wide_to_f64(wide: Self::Wide) -> f64;
     /// The bit pattern of a sum of products, for digests.
     fn wide_bits(wide: Self::Wide) -> u128;
+    /// The sum of products with that bit pattern: the inverse of [`Scalar::wide_bits`].
+    fn from_wide_bits(bits: u128) -> Self::Wide;
     /// The step `a b` of a sum that is made of many, `self` so far, with what rounding has kept from it,
     /// `left`, which becomes what rounding keeps from it now (Kahan, Comm. ACM 8, 40, 1965).
     ///

@@ -22,6 +22,7 @@ pub struct DirectStorage<S: Scalar, const D: usize, const P: usize, const N: usi
     sums: [Settled<DiffusionNode<S, D, P>, DiffusionSums<S, P>>; N],
     last: [Register<S, D, P>; N],
     stages: [[[S; P]; 3]; N],
+    radius: Option<S>,
     ledger: Ledger<S, D, P>,
 }
 
@@ -44,6 +45,7 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
             sums: [Settled::new(DiffusionNode::ZERO, DiffusionSums::ZERO); N],
             last: [Register::ZERO; N],
             stages: [[[S::ZERO; P]; 3]; N],
+            radius: None,
             ledger: Ledger::new(),
         }
     }
@@ -76,6 +78,7 @@ impl<S: Scalar, const D: usize, const P: usize, const N: usize, const C: usize>
             start,
             last: &mut self.last,
             time,
+            radius: &mut self.radius,
             ledger: &mut self.ledger,
             sum: &mut [],
             stages: &mut self.stages,

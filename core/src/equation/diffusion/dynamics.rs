@@ -64,6 +64,9 @@ where
         state: &State<'_, S, D, P>,
         work: &DiffusionWorkspace<'_, S, D, P>,
     ) -> Result<S, Error> {
+        if let Some(radius) = *work.radius {
+            return Ok(radius);
+        }
         let n = state.len();
         let mut particle = 0;
         let largest = match self.form {

@@ -1,5 +1,7 @@
 //! What has come in through walls and from reactions: the other side of the sums of the strengths.
 
+use crate::cloud::Words;
+use crate::error::Error;
 use crate::scalar::Scalar;
 
 /// A sum that is stepped as strengths are, with the registers of a particle.
@@ -93,6 +95,12 @@ impl<S: Scalar, const D: usize, const P: usize> Ledger<S, D, P> {
     fn intakes(&mut self) -> impl Iterator<Item = &mut Intake<S>> {
         let walls = self.walls.iter_mut().flatten().flatten();
         walls.chain(&mut self.reactions)
+    }
+
+    /// Passes what has come in so far.
+    pub(crate) fn pass(&mut self, words: &mut dyn Words) -> Result<(), Error> {
+        self.intakes()
+            .try_for_each(|intake| words.wide::<S>(&mut intake.total))
     }
 
     /// Begins the rates of a stage.

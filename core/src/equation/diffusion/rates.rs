@@ -75,6 +75,7 @@ where
         };
         *work.grid = Some(grid);
         *work.time = time;
+        *work.radius = None;
         self.show(state, work, time);
         let cells = work.cells.cells(grid, n);
         let (Some(nodes), Some(sums)) = (work.nodes.get_mut(..n), work.sums.get_mut(..n)) else {

@@ -26,6 +26,9 @@ pub struct DiffusionWorkspace<'a, S: Scalar, const D: usize, const P: usize> {
     pub last: &'a mut [Register<S, D, P>],
     /// The time at which they were made: of a stage, which need not be the end of a step.
     pub time: &'a mut S,
+    /// [`DiffusionDynamics::radius`](super::DiffusionDynamics::radius) of these rates, where it has been
+    /// read and not made of them.
+    pub radius: &'a mut Option<S>,
     /// What has come in so far.
     pub ledger: &'a mut Ledger<S, D, P>,
     /// The weighted sum of the rates of a step by a Runge-Kutta method.

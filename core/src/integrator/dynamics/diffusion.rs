@@ -1,6 +1,6 @@
 //! Convection-diffusion as a [`Dynamics`]: by a Runge-Kutta method, or by the stabilised one.
 
-use crate::cloud::{Particle, State, VelocityField};
+use crate::cloud::{Particle, State, VelocityField, Words};
 use crate::cutoff::CutOff;
 use crate::domain::Side;
 use crate::equation::diffusion::{DiffusionDynamics, DiffusionProblem, DiffusionWorkspace};
@@ -57,6 +57,22 @@ where
     ) -> Result<(), Error> {
         *parts.work.grid = None;
         self.rates(engine, &mut parts.state, &mut parts.work, time)
+    }
+
+    /// The stable step follows from the rates of the last stage, which no state holds: their radius goes
+    /// with it.
+    fn pass(&self, parts: &mut Parts<'_, S, Self, D>, words: &mut dyn Words) -> Result<(), Error> {
+        let mut radius = S::ZERO;
+        if words.fills() {
+            *parts.work.grid = None;
+        } else {
+            radius = self.radius(&parts.state, &parts.work)?;
+        }
+        words.columns(&mut parts.state)?;
+        parts.work.ledger.pass(words)?;
+        words.scalar(&mut radius)?;
+        *parts.work.radius = Some(radius);
+        Ok(())
     }
 
     fn stable_step(

@@ -1,5 +1,6 @@
 //! A gas as a [`Dynamics`]: by leap-frog, alone or with open sides.
 
+use crate::cloud::Words;
 use crate::cutoff::CutOff;
 use crate::equation::gas::{
     Cloud, Gas, GasDynamics, Opening, Particle, Physics, Viscosity, Workspace, Zone,
@@ -33,6 +34,13 @@ where
         parts: &mut Parts<'_, S, Self, D>,
     ) -> Result<(), Error> {
         self.prepare(engine, &mut parts.state, &mut parts.work)
+    }
+
+    fn pass(&self, parts: &mut Parts<'_, S, Self, D>, words: &mut dyn Words) -> Result<(), Error> {
+        if words.fills() {
+            *parts.work.grid = None;
+        }
+        words.columns(&mut parts.state)
     }
 
     fn stable_step(
@@ -104,6 +112,13 @@ where
         parts: &mut Parts<'_, S, Self, D>,
     ) -> Result<(), Error> {
         self.gas.prepare(engine, &mut parts.state, &mut parts.work)
+    }
+
+    fn pass(&self, parts: &mut Parts<'_, S, Self, D>, words: &mut dyn Words) -> Result<(), Error> {
+        if words.fills() {
+            *parts.work.grid = None;
+        }
+        words.columns(&mut parts.state)
     }
 
     fn stable_step(

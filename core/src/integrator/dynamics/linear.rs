@@ -1,6 +1,6 @@
 //! A linear system as a [`Dynamics`]: by a Runge-Kutta method.
 
-use crate::cloud::{Particle, State, VelocityField};
+use crate::cloud::{Particle, State, VelocityField, Words};
 use crate::cutoff::CutOff;
 use crate::equation::linear::{FirstOrderSystem, LinearDynamics, LinearWorkspace};
 use crate::equation::{Dynamics, Parts, Step};
@@ -37,6 +37,13 @@ where
     ) -> Result<(), Error> {
         *parts.work.grid = None;
         Ok(())
+    }
+
+    fn pass(&self, parts: &mut Parts<'_, S, Self, D>, words: &mut dyn Words) -> Result<(), Error> {
+        if words.fills() {
+            *parts.work.grid = None;
+        }
+        words.columns(&mut parts.state)
     }
 
     fn stable_step(

@@ -72,6 +72,8 @@ fn seconds(case: &Case, engines: &mut [&mut Threads]) -> Vec<f64> {
         samples: 1,
         progress: &mut |_| true,
         look: &mut |_| Ok(()),
+        keep: None,
+        from: None,
     };
     let run = |engine: &mut &mut Threads| {
         let started = Instant::now();

@@ -461,7 +461,8 @@ fn an_export_that_is_no_line_says_what_is() {
     }
 }
 
-/// Ctrl-C in mid-run: finished files of an earlier run stay whole, nothing new is left.
+/// Ctrl-C in mid-run: finished files of an earlier run stay whole; only what the run can be gone on with
+/// comes beside them.
 #[cfg(unix)]
 #[test]
 fn an_interrupt_leaves_earlier_results_whole() {
@@ -484,10 +485,9 @@ fn an_interrupt_leaves_earlier_results_whole() {
     assert!(interrupt.success());
     assert_eq!(run.wait().unwrap().code(), Some(130));
     assert_eq!(std::fs::read(&file).unwrap(), before);
-    assert_eq!(
-        std::fs::read_dir(file.parent().unwrap()).unwrap().count(),
-        5
-    );
+    let left = std::fs::read_dir(file.parent().unwrap()).unwrap();
+    let left = left.filter(|entry| entry.as_ref().unwrap().file_name() != "checkpoints");
+    assert_eq!(left.count(), 5);
 }
 
 #[test]

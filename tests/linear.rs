@@ -286,6 +286,8 @@ fn a_run_can_be_interrupted() {
         samples: 10,
         progress: &mut |done| done < 0.5,
         look: &mut |_| Ok(()),
+        keep: None,
+        from: None,
     };
     let how = ("f64".parse().unwrap(), false);
     let telegraph = AnyScenario::Linear(Box::new(scenario("telegraph", &[])));

@@ -725,6 +725,8 @@ fn experiment(source: Source, set: &[&str], threads: usize) -> Experiment {
         samples: 10,
         progress: &mut |_| true,
         look: &mut |_| Ok(()),
+        keep: None,
+        from: None,
     };
     let scalar = (ScalarName::F64, false);
     Experiment::run(scenario, scalar, &mut engine, &mut control).unwrap()

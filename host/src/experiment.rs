@@ -106,7 +106,7 @@ impl Experiment {
             .as_ref()
             .and_then(|exact| errors(&*simulation, exact.as_ref(), window, &reconstruction));
         let mut doubts = simulation.doubts(&outcome);
-        doubts.extend(engine.take_unproven().map(|error| {
+        doubts.extend(outcome.unproven.iter().map(|error| {
             format!(
                 "{error}; the run went on (--allow-unproven), and numbers may have wrapped without a \
                  trace: --check-overflow tells"

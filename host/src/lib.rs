@@ -31,6 +31,8 @@
 //!     samples: scenario.samples(),
 //!     progress: &mut |_| true,
 //!     look: &mut |_| Ok(()),
+//!     keep: None,
+//!     from: None,
 //! };
 //! let (mut engine, how) = (Threads::new(1)?, (ScalarName::F64, false));
 //! let line = Experiment::run(scenario, how, &mut engine, &mut control)?;
@@ -68,6 +70,7 @@
 //! | [`experiment`] | a scenario run and measured |
 //! | [`study`], [`suite`] | several resolutions; the standard cases and their bounds |
 //! | [`io`], [`report`], [`snapshots`], [`export`] | tables, pictures and summaries; states on the way; Rust source for a device |
+//! | [`checkpoints`] | a run in a file, to go on from |
 //! | [`engine`] | threads and lanes |
 //! | [`cli`] | the program |
 //!
@@ -85,6 +88,7 @@
 //! | evaluation | a right-hand side made |
 
 pub mod benchmark;
+pub mod checkpoints;
 pub mod cli;
 pub mod experiment;
 pub mod export;

@@ -1,5 +1,8 @@
 //! Snapshots of a run, as often as its scenario says.
 
+use motes_core::cloud::Words;
+use motes_core::error::Error;
+
 use crate::io::{Cloud, RunFolder, SnapshotFormat, SnapshotSeries, WriteError};
 use crate::run::{Kind, Simulation};
 use crate::scenario::{self, AnyScenario, Interval, Snapshots};
@@ -55,6 +58,18 @@ impl SnapshotWriter {
             let report = miette::Report::new(error);
             format!("{report:?}")
         })
+    }
+
+    /// Passes which snapshots have been written.
+    ///
+    /// # Errors
+    /// Those of [`Words`].
+    pub fn pass(&mut self, words: &mut dyn Words) -> Result<(), Error> {
+        let Some(writer) = &mut self.0 else {
+            return Ok(());
+        };
+        words.scalar(&mut writer.passed)?;
+        writer.series.pass(words)
     }
 
     /// The writer, if a snapshot is due.

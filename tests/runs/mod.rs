@@ -114,6 +114,8 @@ pub fn try_experiment(
         samples: 10,
         progress: &mut |_| true,
         look: &mut |_| Ok(()),
+        keep: None,
+        from: None,
     };
     let how = (scalar.parse().unwrap(), false);
     Experiment::run(scenario, how, &mut engine, &mut control)

@@ -1,5 +1,6 @@
 //! Time, and when to stop.
 
+use crate::cloud::Words;
 use crate::error::Error;
 use crate::scalar::Scalar;
 
@@ -45,6 +46,12 @@ impl<S: Scalar> Clock<S> {
         } else {
             dt
         }
+    }
+
+    /// Passes where the run is; its end is not of the run's making.
+    pub fn pass(&mut self, words: &mut dyn Words) -> Result<(), Error> {
+        words.scalar(&mut self.time)?;
+        words.count(&mut self.steps)
     }
 
     /// Counts a step of `dt`, at most what is left. Error: a step that the time, as a number

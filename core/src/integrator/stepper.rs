@@ -174,8 +174,7 @@ where
     /// memory that may lose bits is checked first, by [`crate::digest::Digester::integers`].
     pub fn pass(&mut self, words: &mut impl Words) -> Result<(), Error> {
         let words: &mut dyn Words = words;
-        words.scalar(&mut self.clock.time)?;
-        words.count(&mut self.clock.steps)?;
+        self.clock.pass(words)?;
         words.count(&mut self.evaluations)?;
         let Self {
             dynamics,

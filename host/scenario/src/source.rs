@@ -18,6 +18,13 @@ pub enum Source {
     File(PathBuf),
     /// TOML itself. Files that it names are looked for in the current folder.
     Text(String),
+    /// TOML that was made of another source: files that it names are looked for where that one's are.
+    Kept {
+        /// The TOML.
+        text: String,
+        /// What it was made of.
+        of: Box<Source>,
+    },
 }
 
 impl From<&str> for Source {
@@ -39,6 +46,7 @@ impl fmt::Display for Source {
             Self::BuiltIn(name) => write!(formatter, "{name} (built in)"),
             Self::File(path) => write!(formatter, "{}", path.display()),
             Self::Text(_) => write!(formatter, "a text"),
+            Self::Kept { of, .. } => of.fmt(formatter),
         }
     }
 }
@@ -50,6 +58,7 @@ impl Source {
             Self::BuiltIn(_) => Files::Shipped,
             Self::File(path) => Files::Folder(path.parent().unwrap_or(Path::new(""))),
             Self::Text(_) => Files::Folder(Path::new("")),
+            Self::Kept { of, .. } => of.files(),
         }
     }
 
@@ -64,7 +73,7 @@ impl Source {
                 .map(|scenario| scenario.text.to_owned())
                 .ok_or_else(|| unknown_built_in(name)),
             Self::File(path) => file_text(path),
-            Self::Text(text) => Ok(text.clone()),
+            Self::Text(text) | Self::Kept { text, .. } => Ok(text.clone()),
         }
     }
 }

@@ -1,5 +1,8 @@
 //! Sums without the rounding of their length.
 
+use motes_core::cloud::Words;
+use motes_core::error::Error;
+
 /// A sum to about the last place of the result, however many terms there are (Neumaier, Z. Angew.
 /// Math. Mech. 54, 39, 1974).
 ///
@@ -21,6 +24,15 @@ impl Compensated {
             (value - next) + self.sum
         };
         self.sum = next;
+    }
+
+    /// Passes it.
+    ///
+    /// # Errors
+    /// Those of [`Words`].
+    pub fn pass(&mut self, words: &mut dyn Words) -> Result<(), Error> {
+        words.scalar(&mut self.sum)?;
+        words.scalar(&mut self.lost)
     }
 
     /// The sum.

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 use super::Failure;
+use crate::checkpoints::Often;
 use crate::run::{ScalarName, UnknownScalar};
 use crate::scenario::{AnyScenario, Source, shortened};
 use crate::study::ErrorNorm;
@@ -21,6 +22,10 @@ pub(super) struct Arguments {
 pub(super) enum Command {
     /// Run a scenario and compare it with its exact solution
     Run(RunArguments),
+    /// Go on with a run that was interrupted, from its last checkpoint, to the same bits
+    Resume(ResumeArguments),
+    /// Print what a checkpoint is of
+    Inspect(InspectArguments),
     /// List the built-in scenarios
     List,
     /// Print a scenario's TOML, to copy and edit
@@ -46,6 +51,7 @@ Examples:
   motes run sod --set region.1.pressure=0.01        with a stronger shock
   motes show sod > tube.toml; motes run tube.toml   a scenario of your own
   motes run sod --json | jq .errors.density.l1      for a script
+  motes run sod3d --checkpoint-every 10m            and motes resume out/sod3d goes on with it
 
 Files written into --out: particles.csv (with the exact solution), series.csv (the
 diagnostics over time), figure.svg and other pictures, scenario.toml (what was run, with --set
@@ -82,6 +88,10 @@ pub(super) struct RunArguments {
     /// Stop a run that at its pace would take more days than this
     #[arg(long, default_value_t = LONGEST, value_name = "DAYS")]
     pub longest: f64,
+    /// Keep a checkpoint after so many steps, such as 500, or so much time, such as 60s, 10m, 2h, to
+    /// go on from with `motes resume`. Ctrl-C keeps one, too
+    #[arg(long, value_name = "STEPS|TIME")]
+    pub checkpoint_every: Option<Often>,
     /// Fixed point: stop at the first overflow and name its particle and quantity. Same
     /// digits, about five times slower
     #[arg(long)]
@@ -90,6 +100,52 @@ pub(super) struct RunArguments {
     /// format
     #[arg(long)]
     pub allow_unproven: bool,
+}
+
+const RESUME_EXAMPLES: &str = "\
+Examples:
+  motes run sod3d --checkpoint-every 10m            a run that keeps checkpoints
+  motes resume out/sod3d                            from the last one, after whatever ended it
+  motes resume out/sod3d/checkpoints/step_000500.motes
+  motes inspect out/sod3d                           what it is of
+
+State, series and files are, to the bit, those of a run that was never interrupted.
+Exit codes: as those of `motes run`.";
+
+#[derive(Args)]
+#[command(after_help = RESUME_EXAMPLES)]
+pub(super) struct ResumeArguments {
+    /// The folder of a run, or one of its checkpoints
+    #[arg(value_name = "FILE|DIR")]
+    pub from: PathBuf,
+    /// Number of threads; 0 for all cores. The results do not depend on it
+    #[arg(long, default_value_t = 0, value_name = "N")]
+    pub threads: usize,
+    /// Folder for the results [default: that of the run]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// As for `motes run`
+    #[arg(long, value_name = "STEPS|TIME")]
+    pub checkpoint_every: Option<Often>,
+    /// Print one JSON object on standard output, and nothing else
+    #[arg(long)]
+    pub json: bool,
+    /// Print nothing but errors
+    #[arg(long)]
+    pub quiet: bool,
+    /// Stop a run that at its pace would take more days than this
+    #[arg(long, default_value_t = LONGEST, value_name = "DAYS")]
+    pub longest: f64,
+}
+
+#[derive(Args)]
+pub(super) struct InspectArguments {
+    /// The folder of a run, or one of its checkpoints
+    #[arg(value_name = "FILE|DIR")]
+    pub from: PathBuf,
+    /// Print one JSON object on standard output, and nothing else
+    #[arg(long)]
+    pub json: bool,
 }
 
 const SUITE_EXAMPLES: &str = "\

@@ -185,6 +185,8 @@ impl Runs<'_> {
                 interrupt.goes_on()
             },
             look: &mut |simulation| patience.look(simulation),
+            keep: None,
+            from: None,
         };
         let experiment = Experiment::run(
             scenario,

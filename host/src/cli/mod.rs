@@ -4,6 +4,7 @@ mod arguments;
 mod bench;
 mod converge;
 mod export;
+mod inspect;
 mod list;
 mod progress;
 mod run;
@@ -44,6 +45,8 @@ pub fn main() -> ExitCode {
     };
     let result = match arguments.command {
         Command::Run(arguments) => run::run(&arguments),
+        Command::Resume(arguments) => run::resume(&arguments),
+        Command::Inspect(arguments) => inspect::inspect(&arguments),
         Command::List => list::list(),
         Command::Show { name } => show(&name),
         Command::Export(arguments) => export::export(&arguments),

@@ -1,22 +1,44 @@
 //! `motes run`.
 
+use std::cell::RefCell;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use miette::{IntoDiagnostic, Report, WrapErr};
+use motes_core::cloud::Words;
 
 use super::Failure;
-use super::arguments::{RunArguments, any_scenario, scalar};
+use super::arguments::{ResumeArguments, RunArguments, any_scenario, scalar};
 use super::watch::{Interrupt, Patience, progress_bar};
+use crate::checkpoints::{self, CheckpointWriter, Often, Resumption, inputs, origin};
 use crate::engine::Threads;
 use crate::experiment::{Experiment, ExperimentError};
 use crate::families::{self, Plan};
-use crate::io::RunFolder;
+use crate::io::{Checkpoint, Header, Origin, RunFolder, SNAPSHOTS};
 use crate::report::results;
 use crate::report::summary::Summary;
-use crate::run::{Control, RunError};
-use crate::scenario::{AnyScenario, Source};
+use crate::run::{Control, RunError, ScalarName};
+use crate::scenario::AnyScenario;
 use crate::snapshots::SnapshotWriter;
+
+/// What is to be run, and how.
+struct Order<'a> {
+    scenario: AnyScenario,
+    scalar: ScalarName,
+    check_overflow: bool,
+    allow_unproven: bool,
+    threads: usize,
+    longest: f64,
+    is_quiet: bool,
+    json: bool,
+    /// The folder for the results.
+    out: PathBuf,
+    checkpoint_every: Option<Often>,
+    /// What checkpoints say of the run.
+    header: Header,
+    /// Where the run goes on from.
+    from: Option<&'a Checkpoint>,
+}
 
 /// Reads, runs, writes, prints.
 pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
@@ -26,8 +48,77 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         &arguments.overrides,
     )?;
     let scalar = scalar(&arguments.scalar)?;
+    let out = arguments.out.clone();
+    let out = out.unwrap_or_else(|| Path::new("out").join(scenario.name()));
+    let header = Header {
+        motes: env!("CARGO_PKG_VERSION").to_owned(),
+        scenario: scenario.name().to_owned(),
+        origin: origin(&arguments.scenario),
+        text: scenario.text().to_owned(),
+        inputs: inputs(&scenario),
+        scalar: scalar.name().to_owned(),
+        check_overflow: arguments.check_overflow,
+        allow_unproven: arguments.allow_unproven,
+        particles: 0,
+        step: 0,
+        time: 0.0,
+        end: scenario.end(),
+        digest: String::new(),
+    };
+    carry_out(Order {
+        scenario,
+        scalar,
+        check_overflow: arguments.check_overflow,
+        allow_unproven: arguments.allow_unproven,
+        threads: arguments.threads,
+        longest: arguments.longest,
+        is_quiet: arguments.quiet,
+        json: arguments.json,
+        out,
+        checkpoint_every: arguments.checkpoint_every,
+        header,
+        from: None,
+    })
+}
+
+/// Goes on with a run.
+pub(super) fn resume(arguments: &ResumeArguments) -> Result<(), Failure> {
+    let found = Resumption::find(&arguments.from).map_err(Failure::input)?;
+    passed_over(&found);
+    let header = found.checkpoint.header.clone();
+    let scenario = checkpoints::scenario(&header).map_err(Failure::input)?;
+    let out = arguments.out.clone().or(found.folder);
+    let out = out.unwrap_or_else(|| Path::new("out").join(scenario.name()));
+    carry_out(Order {
+        scalar: scalar(&header.scalar)?,
+        check_overflow: header.check_overflow,
+        allow_unproven: header.allow_unproven,
+        threads: arguments.threads,
+        longest: arguments.longest,
+        is_quiet: arguments.quiet,
+        json: arguments.json,
+        out,
+        checkpoint_every: arguments.checkpoint_every,
+        from: Some(&found.checkpoint),
+        scenario,
+        header,
+    })
+}
+
+/// Says which later checkpoints are damaged.
+pub(super) fn passed_over(found: &Resumption) {
+    for error in &found.passed_over {
+        let file = found.file.display();
+        let _ = writeln!(std::io::stderr(), "{error}: `{file}` is taken instead");
+    }
+}
+
+fn carry_out(order: Order<'_>) -> Result<(), Failure> {
+    let (scenario, scalar) = (order.scenario, order.scalar);
+    // What a run that is gone on with replaces was its own.
+    let is_silent = order.is_quiet || order.from.is_some();
     let plan = Plan::new(&scenario).map_err(Failure::input)?;
-    let is_hidden = arguments.quiet || arguments.json;
+    let is_hidden = order.is_quiet || order.json;
     let bar = progress_bar(is_hidden, 1000, "{msg} {wide_bar} {percent}% {eta} left");
     bar.set_message(format!("{}, reference", scenario.name()));
     let exact = families::solution_watched(&scenario, &mut |done| {
@@ -37,19 +128,28 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
         .map_err(Report::new)
         .wrap_err("this scenario has no exact solution: remove output.exact")
         .map_err(Failure::Input)?;
-    let mut engine = Threads::new(arguments.threads).map_err(Failure::input)?;
-    engine.allow_unproven(arguments.allow_unproven);
-    let out = arguments.out.clone();
-    let out = out.unwrap_or_else(|| Path::new("out").join(scenario.name()));
+    let mut engine = Threads::new(order.threads).map_err(Failure::input)?;
+    engine.allow_unproven(order.allow_unproven);
     // Now rather than after the run: a folder that cannot be had costs no time.
-    let mut folder = claimed(&out, &arguments.scenario, &scenario)?;
+    let mut folder = claimed(&order.out, &order.header.origin, &scenario)?;
     let interrupt = Interrupt::listen();
     engine.stop_on(interrupt.flag());
     bar.reset();
     bar.set_message(scenario.name().to_owned());
-    let mut patience = Patience::new(arguments.longest);
+    let mut patience = Patience::new(order.longest);
     let mut snapshots = SnapshotWriter::new(&scenario, &folder);
+    let mut words = order.from.map(Checkpoint::words);
     let mut steps = 0;
+    if let (Some(words), Some(from)) = (&mut words, order.from) {
+        steps = from.header.step;
+        folder.adopt(checkpoints::FOLDER);
+        folder.adopt(SNAPSHOTS);
+        let read = snapshots.pass(words);
+        read.map_err(|error| failure(RunError::Resume { error }))?;
+    }
+    let mut writer = CheckpointWriter::new(order.header, order.checkpoint_every);
+    let mut kept = None;
+    let files = RefCell::new((&mut folder, &mut snapshots));
     let mut control = Control {
         samples: scenario.samples(),
         progress: &mut |done| {
@@ -57,12 +157,24 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             interrupt.goes_on()
         },
         look: &mut |simulation| {
+            interrupt.steps();
             steps = simulation.steps();
-            snapshots.look(simulation, &mut folder)?;
+            let (folder, snapshots) = &mut *files.borrow_mut();
+            snapshots.look(simulation, folder)?;
             patience.look(simulation)
         },
+        keep: Some(&mut |simulation, logbook| {
+            let (folder, snapshots) = &mut *files.borrow_mut();
+            let asked = !interrupt.goes_on();
+            let written = writer.look((simulation, logbook), snapshots, folder, asked);
+            kept = written
+                .map_err(|error| format!("{:?}", Report::new(error)))?
+                .or(kept.take());
+            Ok(())
+        }),
+        from: words.as_mut().map(|words| words as &mut dyn Words),
     };
-    let how = (scalar, arguments.check_overflow);
+    let how = (scalar, order.check_overflow);
     let experiment = Experiment::of(scenario, (plan, exact), how, &mut engine, &mut control);
     bar.finish_and_clear();
     let experiment = match experiment {
@@ -72,25 +184,34 @@ pub(super) fn run(arguments: &RunArguments) -> Result<(), Failure> {
             if steps == 0 {
                 folder.discard();
             } else {
-                tell_removed(&folder, arguments.quiet);
+                tell_removed(&folder, is_silent);
             }
-            return Err(failure(error));
+            return Err(match (error, kept) {
+                (RunError::Interrupted { time, step }, Some(_)) => {
+                    let help = format!("`motes resume {}` goes on from there", order.out.display());
+                    Failure::Interrupted(miette::miette!(
+                        help = help,
+                        "interrupted at t = {time}, after {step} steps: the state is kept"
+                    ))
+                }
+                (error, _) => failure(error),
+            });
         }
     };
     let written = results::write(&mut folder, &experiment);
-    tell_removed(&folder, arguments.quiet);
+    tell_removed(&folder, is_silent);
     let first = written.map_err(Failure::Run)?;
     let summary = Summary::new(&experiment, scalar.name(), engine.threads());
-    if arguments.json {
+    if order.json {
         let json = serde_json::to_string(&summary)
             .into_diagnostic()
             .map_err(Failure::Run)?;
         super::print(&format!("{json}\n"))
-    } else if !arguments.quiet {
+    } else if !order.is_quiet {
         super::print(&format!(
             "{summary}\nresults    {}\nopen       {}\n",
-            out.display(),
-            out.join(first).display()
+            order.out.display(),
+            order.out.join(first).display()
         ))
     } else {
         Ok(())
@@ -114,10 +235,10 @@ const RESULTS: [&str; 4] = ["particles.csv", "series.csv", "probe.csv", "scenari
 
 /// The folder of a run, its own from now on. What the run reads stays in it, and is not written over
 /// by what is no copy of it.
-fn claimed(out: &Path, name: &str, scenario: &AnyScenario) -> Result<RunFolder, Failure> {
-    let beside = match Source::from(name) {
-        Source::File(path) => Some(path),
-        _ => None,
+fn claimed(out: &Path, origin: &Origin, scenario: &AnyScenario) -> Result<RunFolder, Failure> {
+    let beside = match origin {
+        Origin::File(path) => Some(path.clone()),
+        Origin::BuiltIn(_) => None,
     };
     let parent = beside
         .as_deref()

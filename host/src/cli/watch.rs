@@ -9,28 +9,52 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::run::{Mark, Pace, Simulation};
 
-/// Ctrl-C, once it is pressed.
-#[derive(Clone)]
-pub(super) struct Interrupt(Arc<AtomicBool>);
+/// Ctrl-C, once it is pressed, and whatever else asks the program to end.
+#[derive(Clone, Default)]
+pub(super) struct Interrupt {
+    /// After the step.
+    asked: Arc<AtomicBool>,
+    /// In mid-step.
+    at_once: Arc<AtomicBool>,
+    /// Whether steps are made, whose end is worth waiting for.
+    stepping: Arc<AtomicBool>,
+}
 
 impl Interrupt {
     /// Begins to listen.
     pub fn listen() -> Self {
-        let pressed = Arc::new(AtomicBool::new(false));
-        let flag = Arc::clone(&pressed);
+        let interrupt = Self::default();
+        let heard = interrupt.clone();
         // Without the handler Ctrl-C still ends the program, only less politely.
-        let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
-        Self(pressed)
+        let _ = ctrlc::set_handler(move || heard.press());
+        interrupt
+    }
+
+    /// While steps are made, the first time lets the step end; the next stops what is computed, and the
+    /// one after that the program.
+    fn press(&self) {
+        let again = self.asked.swap(true, Ordering::Relaxed);
+        if !again && self.stepping.load(Ordering::Relaxed) {
+            return;
+        }
+        if self.at_once.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    }
+
+    /// Waits for the end of a step from now on.
+    pub fn steps(&self) {
+        self.stepping.store(true, Ordering::Relaxed);
     }
 
     /// Whether the program goes on.
     pub fn goes_on(&self) -> bool {
-        !self.0.load(Ordering::Relaxed)
+        !self.asked.load(Ordering::Relaxed)
     }
 
-    /// What says so: true once it is pressed.
+    /// What stops a step in its middle: true once that is asked for.
     pub fn flag(&self) -> Arc<AtomicBool> {
-        Arc::clone(&self.0)
+        Arc::clone(&self.at_once)
     }
 }
 

@@ -24,6 +24,8 @@ pub struct RunFolder {
     record: File,
     /// What earlier runs left, until it is removed.
     old: BTreeSet<String>,
+    /// Whether it has been.
+    is_cleared: bool,
     /// What this run has written.
     own: BTreeSet<String>,
     /// Names that stay, whoever wrote them: this run reads them.
@@ -94,6 +96,7 @@ impl RunFolder {
         old.retain(|name| is_name(name));
         Ok(Self {
             old,
+            is_cleared: false,
             own: BTreeSet::new(),
             kept: BTreeSet::new(),
             path: path.to_owned(),
@@ -122,6 +125,23 @@ impl RunFolder {
         matches!((there, here), (Ok(there), Ok(here)) if there == here)
     }
 
+    /// Takes over what the run that is gone on with has written below a folder in this one.
+    pub fn adopt(&mut self, below: &str) {
+        let is_below = |name: &String| Path::new(name).starts_with(below);
+        let adopted = self.old.iter().filter(|name| is_below(name)).cloned();
+        let adopted: BTreeSet<String> = adopted.collect();
+        self.old.retain(|name| !is_below(name));
+        self.sweep(&adopted);
+        self.own.extend(adopted);
+    }
+
+    /// Removes a file that a run of motes wrote; one that is gone already is no error.
+    pub fn remove(&mut self, name: &str) {
+        if self.own.contains(name) || self.old.contains(name) {
+            let _ = std::fs::remove_file(self.path.join(name));
+        }
+    }
+
     /// How many files of earlier runs were removed.
     pub fn removed(&self) -> usize {
         self.removed
@@ -133,19 +153,28 @@ impl RunFolder {
     /// # Errors
     /// A file that cannot be removed, or a name that cannot be noted.
     pub fn place(&mut self, name: &str) -> Result<PathBuf, WriteError> {
-        let record = self.path.join(RECORD);
-        let at = |source| WriteError::new(&record, source);
+        if !self.is_cleared {
+            self.clear()?;
+            let at = |source| WriteError::new(&self.path.join(RECORD), source);
+            self.record.set_len(0).map_err(at)?;
+            self.record.seek(SeekFrom::Start(0)).map_err(at)?;
+            for name in self.kept.union(&self.own) {
+                writeln!(self.record, "{name}").map_err(at)?;
+            }
+            self.is_cleared = true;
+        }
+        self.place_beside(name)
+    }
+
+    /// The place of a file that is about to be written beside what earlier runs left.
+    ///
+    /// # Errors
+    /// A name that cannot be noted.
+    pub fn place_beside(&mut self, name: &str) -> Result<PathBuf, WriteError> {
         let path = self.path.join(name);
         if !self.own.contains(name) {
-            if self.own.is_empty() {
-                self.clear()?;
-                self.record.set_len(0).map_err(at)?;
-                self.record.seek(SeekFrom::Start(0)).map_err(at)?;
-                for name in &self.kept {
-                    writeln!(self.record, "{name}").map_err(at)?;
-                }
-            }
-            writeln!(self.record, "{name}").map_err(at)?;
+            let noted = writeln!(self.record, "{name}");
+            noted.map_err(|source| WriteError::new(&self.path.join(RECORD), source))?;
             self.own.insert(name.to_owned());
             if let Some(folder) = path.parent().filter(|folder| *folder != self.path) {
                 std::fs::create_dir_all(folder)
@@ -188,7 +217,15 @@ impl RunFolder {
                 Err(error) => return Err(WriteError::new(&path, error)),
             }
         }
-        let folders = self.old.iter().filter_map(|name| Path::new(name).parent());
+        self.sweep(&self.old);
+        remove_folders(&self.path, &self.old);
+        self.old.clear();
+        Ok(())
+    }
+
+    /// Removes what was being written, beside files of those names, when a run was cut off.
+    fn sweep(&self, names: &BTreeSet<String>) {
+        let folders = names.iter().filter_map(|name| Path::new(name).parent());
         let folders: BTreeSet<PathBuf> = folders.map(|folder| self.path.join(folder)).collect();
         for folder in folders.iter().chain([&self.path]) {
             let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
@@ -198,9 +235,6 @@ impl RunFolder {
                 }
             }
         }
-        remove_folders(&self.path, &self.old);
-        self.old.clear();
-        Ok(())
     }
 }
 

@@ -1,5 +1,6 @@
 //! Files that a run writes. Each is written beside its place and moved there when whole.
 
+mod checkpoint;
 mod folder;
 mod levels;
 mod run;
@@ -7,10 +8,13 @@ mod series;
 mod table;
 mod vtu;
 
+pub use checkpoint::{
+    Checkpoint, CheckpointError, Header, Input, Origin, Remaining, write_checkpoint,
+};
 pub use folder::{FolderError, RunFolder};
 pub use levels::write_levels;
 pub use run::{write_particles, write_probe, write_series};
-pub use series::{SnapshotEntry, SnapshotFormat, SnapshotSeries};
+pub use series::{SNAPSHOTS, SnapshotEntry, SnapshotFormat, SnapshotSeries};
 pub use table::{WriteError, writable, write_text};
 pub(crate) use vtu::escaped;
 pub use vtu::{Cloud, write_vtu};

@@ -3,6 +3,9 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
+use motes_core::cloud::Words;
+use motes_core::error::Error;
+
 use super::table::{WriteError, components, table, whole, write_text};
 use super::vtu::{Cloud, escaped, write_vtu};
 
@@ -91,6 +94,27 @@ impl SnapshotSeries {
         self.write_list()
     }
 
+    /// Passes which snapshots have been written.
+    ///
+    /// # Errors
+    /// Those of [`Words`].
+    pub fn pass(&mut self, words: &mut dyn Words) -> Result<(), Error> {
+        let mut count = self.entries.len() as u64;
+        words.count(&mut count)?;
+        for place in 0..count as usize {
+            let entry = self.entries.get(place);
+            let (mut step, mut time) = entry.map_or((0, 0.0), |entry| (entry.step, entry.time));
+            words.count(&mut step)?;
+            words.scalar(&mut time)?;
+            if words.fills() {
+                self.entries.truncate(place);
+                let [file, _] = self.names(step);
+                self.entries.push(SnapshotEntry { file, time, step });
+            }
+        }
+        Ok(())
+    }
+
     /// The snapshots written, oldest first.
     pub fn entries(&self) -> &[SnapshotEntry] {
         &self.entries
@@ -118,7 +142,7 @@ impl SnapshotSeries {
 }
 
 /// Where the snapshots lie.
-const SNAPSHOTS: &str = "snapshots";
+pub const SNAPSHOTS: &str = "snapshots";
 
 /// ParaView's collection of files with times.
 fn collection(entries: &[SnapshotEntry]) -> String {

@@ -116,6 +116,13 @@ pub(super) fn whole(
     }
     let mut file = builder.tempfile_in(folder).map_err(at)?;
     write(&mut file).map_err(at)?;
+    // Before it takes its name: a name without the bytes would outlive a loss of power.
+    file.as_file().sync_all().map_err(at)?;
     file.persist(path).map_err(|error| at(error.error))?;
+    // The name itself; a file system that syncs no folders has its own way.
+    #[cfg(unix)]
+    if let Ok(folder) = std::fs::File::open(folder) {
+        let _ = folder.sync_all();
+    }
     Ok(())
 }

@@ -175,6 +175,8 @@ impl Case {
             samples: scenario.samples(),
             progress,
             look,
+            keep: None,
+            from: None,
         };
         Ok(Experiment::run(
             scenario,

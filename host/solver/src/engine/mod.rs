@@ -119,6 +119,11 @@ impl Threads {
         self.is_unproven_allowed = is_allowed;
     }
 
+    /// The first proof that failed where the engine went on all the same.
+    pub fn unproven(&self) -> Option<Error> {
+        self.unproven
+    }
+
     /// The first proof that failed where the engine went on all the same; forgets it.
     pub fn take_unproven(&mut self) -> Option<Error> {
         self.unproven.take()

@@ -1,11 +1,16 @@
-//! The run loop: from the start to the end, whatever is solved.
+//! The run loop: from the start, or from where it was left, to the end, whatever is solved.
 
-use std::time::Instant;
+use motes_core::cloud::Words;
+use motes_core::error::Error;
 
 use super::error::RunError;
-use super::outcome::{Outcome, Sample, Series};
-use super::simulation::{Measures, Simulation, Sum};
+use super::logbook::Logbook;
+use super::outcome::Outcome;
+use super::simulation::Simulation;
 use crate::engine::Threads;
+
+/// Receives a run and its logbook after a step, to keep what it goes on from.
+pub type Keep<'a> = dyn FnMut(&mut dyn Simulation, &mut Logbook) -> Result<(), String> + 'a;
 
 /// What a run tells its caller, and hears from it, between steps.
 pub struct Control<'a> {
@@ -15,9 +20,13 @@ pub struct Control<'a> {
     pub progress: &'a mut dyn FnMut(f64) -> bool,
     /// Called at the start and after each step. Looking changes no bit.
     pub look: &'a mut dyn FnMut(&dyn Simulation) -> Result<(), String>,
+    /// Called after each step, before [`Control::progress`].
+    pub keep: Option<&'a mut Keep<'a>>,
+    /// What [`Control::keep`] has kept: where the run goes on from; its start without.
+    pub from: Option<&'a mut dyn Words>,
 }
 
-/// Steps a simulation from where it is to its end.
+/// Steps a simulation from its start, or from where it was left, to its end.
 ///
 /// # Errors
 /// What [`RunError`] lists.
@@ -26,101 +35,51 @@ pub fn complete(
     engine: &mut Threads,
     control: &mut Control<'_>,
 ) -> Result<Outcome, RunError> {
-    let started = Instant::now();
-    let (first, sample) = measured(simulation, 0.0);
-    let (mut last, mut samples) = (first.clone(), vec![sample]);
-    let (mut sampled, mut evaluations) = (0.0, 0);
-    let (mut smallest, mut largest) = (f64::INFINITY, 0.0f64);
-    show(simulation, control)?;
+    let mut logbook = Logbook::new(simulation, control.samples);
+    match control.from.take() {
+        None => show(simulation, control)?,
+        Some(words) => {
+            let passed = pass_run(simulation, &mut logbook, words);
+            passed.map_err(|error| RunError::Resume { error })?;
+        }
+    }
     while let Some(step) = simulation.step(engine)? {
-        evaluations += u64::from(step.evaluations);
-        // The last step is as long as what is left.
-        if step.is_whole || largest == 0.0 {
-            (smallest, largest) = (smallest.min(step.length), largest.max(step.length));
-        }
-        let done = simulation.done();
-        // A rounding short of its time is that time.
-        let due = (done * control.samples as f64 + 1e-9).floor();
-        if due > sampled || simulation.is_over() {
-            sampled = due;
-            simulation.observe(engine)?;
-            let (sums, sample) = measured(simulation, step.length);
-            last = sums;
-            samples.push(sample);
-        }
+        logbook.step(simulation, step, engine)?;
         show(simulation, control)?;
-        if !(control.progress)(done) {
+        if let Some(keep) = &mut control.keep {
+            let kept = keep(simulation, &mut logbook);
+            kept.map_err(looked(simulation))?;
+        }
+        if !(control.progress)(simulation.done()) {
             return Err(RunError::Interrupted {
                 time: simulation.time(),
                 step: simulation.steps(),
             });
         }
     }
-    let seconds = started.elapsed().as_secs_f64();
-    let undamped = simulation.undamped(engine)?;
-    let digest = simulation.digest();
-    let digest_unordered = simulation.digest_unordered();
-    let description = simulation.description();
-    let first = simulation.expected(first);
-    let drift = first
-        .iter()
-        .zip(&last)
-        .map(|(first, last)| drift(first, last));
-    let drift = description.sums.iter().cloned().zip(drift);
-    let is_any_known = description.known.contains(&true);
-    let known = drift.zip(&description.known);
-    let drift = known.filter(|(_, known)| **known || !is_any_known);
-    Ok(Outcome {
-        particles: simulation.particles(),
-        series: Series {
-            names: description.diagnostics.clone(),
-            samples,
-        },
-        steps: simulation.steps(),
-        evaluations,
-        smallest_step: if smallest.is_finite() { smallest } else { 0.0 },
-        largest_step: largest,
-        time: simulation.time(),
-        seconds,
-        digest,
-        digest_unordered,
-        drift: drift.map(|(drift, _)| drift).collect(),
-        is_conserving: description.is_conserving,
-        neighbours: simulation.neighbours(),
-        undamped,
-    })
+    logbook.close(simulation, engine)
 }
 
-/// The sums of now, and the rest of what is measured as a row of the time series.
-fn measured(simulation: &dyn Simulation, time_step: f64) -> (Vec<Sum>, Sample) {
-    let Measures { diagnostics, sums } = simulation.measures();
-    let sample = Sample {
-        time: simulation.time(),
-        steps: simulation.steps(),
-        time_step,
-        values: diagnostics,
-    };
-    (sums, sample)
+/// Passes a run and its logbook, and last the digest of its state: what is read is what was written.
+///
+/// # Errors
+/// Those of [`Words`].
+pub fn pass_run(
+    simulation: &mut dyn Simulation,
+    logbook: &mut Logbook,
+    words: &mut dyn Words,
+) -> Result<(), Error> {
+    simulation.pass(words)?;
+    logbook.pass(words)?;
+    words.same(simulation.digest().0)
 }
 
 fn show(simulation: &dyn Simulation, control: &mut Control<'_>) -> Result<(), RunError> {
-    (control.look)(simulation).map_err(|reason| RunError::Look {
-        time: simulation.time(),
-        reason,
-    })
+    (control.look)(simulation).map_err(looked(simulation))
 }
 
-/// What a sum is off by from the one expected, over the larger of their sizes; of a vector the length.
-fn drift(first: &Sum, last: &Sum) -> f64 {
-    let moved = match (&first.value[..], &last.value[..]) {
-        ([first], [last]) => last - first,
-        (first, last) => {
-            let squares = first.iter().zip(last).map(|(a, b)| (b - a) * (b - a));
-            squares.sum::<f64>().sqrt()
-        }
-    };
-    match moved == 0.0 {
-        true => 0.0,
-        false => moved / first.size.max(last.size),
-    }
+/// What somebody who looked at a run says of it, as an error.
+fn looked(simulation: &dyn Simulation) -> impl FnOnce(String) -> RunError {
+    let time = simulation.time();
+    move |reason| RunError::Look { time, reason }
 }

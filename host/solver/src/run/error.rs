@@ -44,6 +44,15 @@ pub enum RunError {
         /// Why.
         reason: String,
     },
+    /// What it was to go on from is not of this run.
+    #[error("the run cannot go on from there: {error}")]
+    #[diagnostic(help(
+        "it was kept by another version of motes, or of another scenario: begin the run anew"
+    ))]
+    Resume {
+        /// Why.
+        error: Error,
+    },
     /// A number of the plan does not fit the scalar.
     #[error("{what} is {value:.3e} in solver units, which `{scalar}` cannot hold to 1 %")]
     #[diagnostic(help("{}", wider(*value, scalar)))]

@@ -68,6 +68,9 @@ pub struct Outcome {
     pub neighbours: Spread,
     /// The part of the state at the end in waves that the solver does not damp.
     pub undamped: f64,
+    /// What was computed all the same where in fixed point it could not be proven to stay in range
+    /// ([`Threads::allow_unproven`](crate::engine::Threads::allow_unproven)): the first of it.
+    pub unproven: Option<String>,
 }
 
 impl Outcome {

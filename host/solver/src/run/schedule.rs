@@ -1,5 +1,7 @@
 //! Times that steps are to end at.
 
+use motes_core::cloud::Words;
+use motes_core::error::Error;
 use motes_core::integrator::Clock;
 use motes_core::scalar::Scalar;
 
@@ -59,6 +61,17 @@ impl<S: Scalar> Stops<S> {
         }
     }
 
+    /// Passes the time that was met.
+    pub fn pass(&mut self, words: &mut dyn Words) -> Result<(), Error> {
+        let mut has_met = u64::from(self.met.is_some());
+        words.count(&mut has_met)?;
+        let (mut place, mut time) = self.met.unwrap_or((S::ZERO, 0.0));
+        words.scalar(&mut place)?;
+        words.scalar(&mut time)?;
+        self.met = (has_met != 0).then_some((place, time));
+        Ok(())
+    }
+
     /// The time of a clock in the scenario's unit: the very time that was asked for where the run
     /// has met one.
     pub fn time(&self, clock: &Clock<S>, unit: f64) -> f64 {
@@ -91,12 +104,7 @@ impl<S: Scalar> Stops<S> {
     }
 
     /// Moves a clock on by a step: to the bit where the step fills its room.
-    pub fn tick(
-        &mut self,
-        clock: &mut Clock<S>,
-        dt: S,
-        room: &Room<S>,
-    ) -> Result<(), motes_core::error::Error> {
+    pub fn tick(&mut self, clock: &mut Clock<S>, dt: S, room: &Room<S>) -> Result<(), Error> {
         clock.tick(dt)?;
         if let (Some(met), false) = (room.place, dt < room.longest) {
             clock.time = met.0;

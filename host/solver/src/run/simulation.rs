@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use motes_core::cloud::Words;
 use motes_core::digest::Digest;
+use motes_core::error::Error;
 
 use super::balance::Balance;
 use super::description::Description;
@@ -105,6 +107,14 @@ pub trait Simulation: Send {
     /// # Errors
     /// What [`RunError`] lists. The state is that of a step that was not finished then.
     fn step(&mut self, engine: &mut Threads) -> Result<Option<Step>, RunError>;
+
+    /// Passes all that the next step starts from, and what is told of the way so far: saves it, or puts
+    /// what was saved of a run of the same scenario in its place. The run then goes on with the bits
+    /// that it would have had.
+    ///
+    /// # Errors
+    /// Those of [`Words`]. A run that was to be read into is not to be used then.
+    fn pass(&mut self, words: &mut dyn Words) -> Result<(), Error>;
 
     /// Counts neighbours, and sums the forces on walls, where steps do not: [`Simulation::measures`] tells
     /// those of the last time.

@@ -13,6 +13,7 @@ use crate::families::strengths::CloudArrays;
 pub(in crate::families) struct DiffusionArrays<S: Scalar, const D: usize, const P: usize> {
     pub cloud: CloudArrays<S, D, P>,
     pub ledger: Ledger<S, D, P>,
+    radius: Option<S>,
     nodes: Vec<DiffusionNode<S, D, P>>,
     sums: Vec<Settled<DiffusionNode<S, D, P>, DiffusionSums<S, P>>>,
     stages: Vec<[[S; P]; 3]>,
@@ -38,6 +39,7 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionArrays<S, D, P> {
         Self {
             cloud,
             ledger: Ledger::new(),
+            radius: None,
             nodes: vec![DiffusionNode::ZERO; n],
             sums: vec![Settled::new(DiffusionNode::ZERO, DiffusionSums::ZERO); n],
             stages: vec![[[S::ZERO; P]; 3]; n],
@@ -58,6 +60,7 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionArrays<S, D, P> {
             start: &mut registers.start,
             last: &mut registers.last,
             time: &mut registers.time,
+            radius: &mut self.radius,
             ledger: &mut self.ledger,
             sum: &mut registers.sum,
             stages: &mut self.stages,

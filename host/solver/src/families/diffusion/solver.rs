@@ -2,8 +2,10 @@
 
 use std::sync::Arc;
 
+use motes_core::cloud::Words;
 use motes_core::cutoff::Named;
 use motes_core::digest::Digest;
+use motes_core::equation::Parts;
 use motes_core::equation::diffusion::{
     DiffusionDynamics, DiffusionProblem, DrivenCondition, Form, Reaction,
 };
@@ -179,6 +181,12 @@ impl<S: HostScalar, const D: usize, const P: usize> Solver<S> for Diffusion<S, D
                 Ok(method.stages())
             }
         }
+    }
+
+    fn pass(&mut self, words: &mut dyn Words) -> Result<(), Error> {
+        let dynamics = self.planned.dynamics::<D, P>();
+        let (state, work) = self.memory.parts();
+        motes_core::equation::Dynamics::pass(&dynamics, &mut Parts { state, work }, words)
     }
 
     fn reconstruct(&mut self, time: S, points: Option<&[[S; 3]]>) -> Result<Vec<S>, Error> {

@@ -1,6 +1,8 @@
 //! The mass that comes in and goes out through open sides.
 
+use motes_core::cloud::Words;
 use motes_core::domain::Domain;
+use motes_core::error::Error;
 use motes_core::scalar::Scalar;
 
 use super::opening::{OpenSides, OpenZone};
@@ -45,6 +47,11 @@ impl MassLedger {
                 }
             }
         }
+    }
+
+    /// Passes the masses.
+    pub fn pass(&mut self, words: &mut dyn Words) -> Result<(), Error> {
+        self.mass.iter_mut().try_for_each(|sum| sum.pass(words))
     }
 
     /// The mass that has come in through a side, in units of the solver.

@@ -174,6 +174,45 @@ impl<S: Scalar, X: Fields<S>, const D: usize> GasArrays<S, X, D> {
         self.gradients.resize(graded, gradient);
     }
 
+    /// Makes room for so many particles, to be read into: beyond those there they are empty.
+    ///
+    /// Error: more than can be counted.
+    pub(super) fn resize(&mut self, particles: u64) -> Result<(), Error> {
+        let n = usize::try_from(particles).unwrap_or(usize::MAX);
+        if n > LARGEST {
+            return Err(Error::Capacity {
+                container: Container::Particles,
+                needed: u32::try_from(particles).unwrap_or(u32::MAX),
+                capacity: LARGEST as u32,
+            });
+        }
+        self.material.resize(n, 0);
+        for array in [
+            &mut self.position,
+            &mut self.velocity,
+            &mut self.position_remainder,
+            &mut self.velocity_remainder,
+            &mut self.force,
+        ] {
+            array.resize(n, [S::ZERO; D]);
+        }
+        for array in [
+            &mut self.energy,
+            &mut self.mass,
+            &mut self.epsilon,
+            &mut self.density,
+        ] {
+            array.resize(n, S::ZERO);
+        }
+        for array in self.made() {
+            array.resize(n, S::ZERO);
+        }
+        if n > self.sites.len() {
+            self.make_room(n);
+        }
+        Ok(())
+    }
+
     /// The state and the workspace, as the solver takes them.
     pub fn parts(&mut self) -> (Gas<'_, S, D>, Workspace<'_, S, X, D>) {
         let gas = Gas {

@@ -2,11 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use motes_core::cloud::Words;
 use motes_core::cutoff::Named as NamedCutOff;
 use motes_core::digest::Digest;
 use motes_core::domain::Domain;
 use motes_core::equation::gas::viscosity::Named as NamedViscosity;
 use motes_core::equation::gas::{Cloud as _, GasDynamics, Opening, Physics, Width};
+use motes_core::equation::{Dynamics, Parts};
 use motes_core::error::Error;
 use motes_core::integrator::Clock;
 use motes_core::material::{EquationOfState, Named as NamedMaterial};
@@ -343,6 +345,24 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
             is_whole: dt < room.longest,
             evaluations: 1,
         }))
+    }
+
+    fn pass(&mut self, words: &mut dyn Words) -> Result<(), Error> {
+        self.clock.pass(words)?;
+        self.stops.pass(words)?;
+        let mut particles = self.memory.mass.len() as u64;
+        words.count(&mut particles)?;
+        if words.fills() {
+            self.memory.resize(particles)?;
+            // The engine's lists are those of another state.
+            self.holder = Holder::new();
+        }
+        let (state, work) = self.memory.parts();
+        let solver = self.setup.solver();
+        Dynamics::pass(&solver, &mut Parts { state, work }, words)?;
+        self.ledger.pass(words)?;
+        self.walls.pass(words)?;
+        Lonely::pass(&mut self.lonely, words)
     }
 
     fn observe(&mut self, _: &mut Threads) -> Result<(), RunError> {

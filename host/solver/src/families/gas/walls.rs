@@ -3,8 +3,10 @@
 
 use std::collections::BTreeMap;
 
+use motes_core::cloud::Words;
 use motes_core::domain::Side;
 use motes_core::equation::gas::WallForces;
+use motes_core::error::Error;
 
 use super::plan::Plan;
 use crate::run::{Series, side};
@@ -36,6 +38,15 @@ impl<const D: usize> WallLedger<D> {
         // As velocities are kicked: half a step by each.
         self.work.add(0.5 * dt * (self.power + power));
         (self.forces, self.power) = (forces, power);
+    }
+
+    /// Passes it.
+    pub fn pass(&mut self, words: &mut dyn Words) -> Result<(), Error> {
+        let forces = self.forces.force.as_flattened_mut();
+        words.scalars(forces.as_flattened_mut())?;
+        words.scalar(&mut self.forces.power)?;
+        words.scalar(&mut self.power)?;
+        self.work.pass(words)
     }
 
     /// The work since the start, in the scenario's units.

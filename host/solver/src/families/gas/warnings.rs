@@ -2,6 +2,8 @@
 
 use std::fmt::{Display, Formatter, Result};
 
+use motes_core::cloud::Words;
+use motes_core::error::Error;
 use motes_core::scalar::Scalar;
 
 use crate::run::Outcome;
@@ -11,6 +13,30 @@ pub(super) struct Lonely {
     pub particle: usize,
     pub time: f64,
     pub neighbours: f64,
+}
+
+impl Lonely {
+    /// Passes one, where there is one.
+    pub fn pass(
+        lonely: &mut Option<Self>,
+        words: &mut dyn Words,
+    ) -> std::result::Result<(), Error> {
+        let mut is_there = u64::from(lonely.is_some());
+        words.count(&mut is_there)?;
+        let told = lonely.take();
+        let mut particle = told.as_ref().map_or(0, |told| told.particle as u64);
+        let (mut time, mut neighbours) =
+            told.map_or((0.0, 0.0), |told| (told.time, told.neighbours));
+        words.count(&mut particle)?;
+        words.scalar(&mut time)?;
+        words.scalar(&mut neighbours)?;
+        *lonely = (is_there != 0).then_some(Self {
+            particle: particle as usize,
+            time,
+            neighbours,
+        });
+        Ok(())
+    }
 }
 
 impl Display for Lonely {

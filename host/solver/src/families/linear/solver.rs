@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
+use motes_core::cloud::Words;
 use motes_core::cutoff::Named;
 use motes_core::digest::Digest;
 use motes_core::equation::linear::{FirstOrderSystem, LinearDynamics, Place};
+use motes_core::equation::{Dynamics, Parts};
 use motes_core::error::Error;
 use motes_core::integrator::RungeKutta;
 use motes_core::scalar::Scalar;
@@ -93,6 +95,11 @@ where
         self.dynamics
             .advance(&self.method, engine, &mut state, &mut work, step)?;
         Ok(self.method.sides())
+    }
+
+    fn pass(&mut self, words: &mut dyn Words) -> Result<(), Error> {
+        let (state, work) = self.memory.parts();
+        Dynamics::pass(&self.dynamics, &mut Parts { state, work }, words)
     }
 
     fn count_neighbours(&mut self, engine: &mut Threads, time: S) -> Result<(), Error> {

@@ -1,5 +1,8 @@
 //! Watching that a run does not grow faster than any solution may.
 
+use motes_core::cloud::Words;
+use motes_core::error::Error;
+
 use crate::run::RunError;
 
 /// The part of the first norm below which nothing is said: what is left of a solution that has
@@ -35,6 +38,11 @@ impl Monitor {
     /// What no solution exceeds; infinite where nothing bounds them.
     pub fn bound(&self) -> f64 {
         self.bound
+    }
+
+    /// Passes the bound.
+    pub fn pass(&mut self, words: &mut dyn Words) -> Result<(), Error> {
+        words.scalar(&mut self.bound)
     }
 
     /// Moves the bound on by a step in which `‖f‖` is `source`.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use motes_core::cloud::Words;
 use motes_core::digest::Digest;
 use motes_core::error::Error;
 use motes_core::integrator::Clock;
@@ -190,6 +191,17 @@ impl<S: HostScalar> Simulation for Strengths<S> {
             is_whole: dt < room.longest,
             evaluations,
         }))
+    }
+
+    fn pass(&mut self, words: &mut dyn Words) -> Result<(), Error> {
+        self.clock.pass(words)?;
+        self.stops.pass(words)?;
+        self.monitor.pass(words)?;
+        if words.fills() {
+            // The engine's lists are those of another state.
+            self.holder = Holder::new();
+        }
+        self.solver.pass(words)
     }
 
     fn observe(&mut self, engine: &mut Threads) -> Result<(), RunError> {

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use motes_core::cloud::Words;
 use motes_core::digest::Digest;
 use motes_core::error::Error;
 use motes_core::scalar::Scalar;
@@ -42,6 +43,9 @@ pub(in crate::families) trait Solver<S: HostScalar>: Send {
 
     /// Makes a step `(time, dt)`; how many right-hand sides that took.
     fn advance(&mut self, engine: &mut Threads, step: (S, S)) -> Result<u32, Error>;
+
+    /// Passes all that the next step starts from.
+    fn pass(&mut self, words: &mut dyn Words) -> Result<(), Error>;
 
     /// Counts neighbours where steps do not. Changes no bit of the run.
     fn count_neighbours(&mut self, engine: &mut Threads, time: S) -> Result<(), Error> {

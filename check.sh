@@ -97,6 +97,9 @@ devices() {
   output=$(emulate $m0 wall)
   printf '%s\n' "$output"
   golden '^wall-day,96,(q15.16|f32),' "$output"
+  output=$(emulate $m4 restart)
+  printf '%s\n' "$output"
+  golden '^wall-day,96,q15.16,' "$output"
   echo "the devices have the digests of the host"
   say "instructions of a step under QEMU"
   output=$(

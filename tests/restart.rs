@@ -195,7 +195,12 @@ fn a_run_that_is_gone_on_with_has_the_bits_series_and_sums_of_one_that_was_not_i
             let run = || format!("{name} in {scalar} {changes:?}");
             let whole = carried(&scenario, scalar, 1, None, None);
             let whole = whole.unwrap_or_else(|error| panic!("{}: {error}", run()));
-            assert!(whole.steps > RESUMED + 1, "{}: {} steps", run(), whole.steps);
+            assert!(
+                whole.steps > RESUMED + 1,
+                "{}: {} steps",
+                run(),
+                whole.steps
+            );
             // Kept on the way, on as many threads as may be.
             let every = whole.steps.div_ceil(RESUMED + 1);
             let mut kept: Vec<Vec<u8>> = Vec::new();

@@ -16,7 +16,7 @@ mod tube;
 mod wall;
 
 use fixed::types::extra::{U16, U19, U32};
-use motes_core::cloud::Columns;
+use motes_core::cloud::{Columns, Save};
 use motes_core::equation::diffusion::{DirectStorage, Lists};
 use motes_core::equation::gas::PlainStorage;
 use motes_core::equation::linear::LinearStorage;
@@ -110,4 +110,31 @@ fn the_lines_are_proven_all_the_way() {
 fn the_wall_is_proven_all_the_way() {
     assert_eq!(wall_day::<Q15p16>(), golden("wall-day", 96, "q15.16"));
     assert_eq!(wall_day::<Q31p32>(), golden("wall-day", 96, "q31.32"));
+}
+
+/// As `docs/devices.md` says.
+#[test]
+fn the_words_of_the_wall_are_2392_bytes() {
+    use wall::{CELLS, CUT_OFF, LAYERS, PARTICLES, POINTS, SLAB, motion};
+    let mut lists = Lists::<Q15p16, POINTS, LAYERS>::new();
+    let mut cloud = DirectStorage::<Q15p16, 1, 1, PARTICLES, CELLS>::new();
+    SLAB.particles()
+        .for_each(|particle| cloud.push(particle).unwrap());
+    let dynamics = SLAB.dynamics(
+        CUT_OFF,
+        SLAB.problem(&mut lists).unwrap(),
+        motion::<Q15p16>(),
+    );
+    let method = DiffusionMethod {
+        scheme: Scheme::Stabilised(SLAB.stages),
+        longest: SLAB.longest(),
+    };
+    let mut run = Stepper::new(dynamics, method, HalfLoop, cloud).unwrap();
+    let mut bytes = 0;
+    let mut count = Save(|word: &[u8]| {
+        bytes += word.len();
+        Ok(())
+    });
+    run.pass(&mut count).unwrap();
+    assert_eq!(bytes, 2392);
 }

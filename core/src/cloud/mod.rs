@@ -5,6 +5,7 @@
 mod column;
 mod place;
 mod registers;
+mod slot;
 mod state;
 #[cfg(feature = "heapless")]
 mod storage;
@@ -16,6 +17,7 @@ pub use column::{Column, ColumnMut, Columns, Components, Field, Kind, Role, Unit
 pub use place::Place;
 pub use registers::{Register, Start};
 pub(crate) use registers::{accumulate, clear, put, remember, remember_strengths};
+pub use slot::Slot;
 pub use state::{Particle, State};
 #[cfg(feature = "heapless")]
 pub(crate) use storage::{CloudParts, CloudStorage};

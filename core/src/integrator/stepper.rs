@@ -172,8 +172,7 @@ where
     ///
     /// Errors: those of [`Words`]. Of what is read neither the clock nor the state is to be used then; a
     /// memory that may lose bits is checked first, by [`crate::digest::Digester::integers`].
-    pub fn pass(&mut self, words: &mut impl Words) -> Result<(), Error> {
-        let words: &mut dyn Words = words;
+    pub fn pass(&mut self, words: &mut dyn Words) -> Result<(), Error> {
         self.clock.pass(words)?;
         words.count(&mut self.evaluations)?;
         let Self {

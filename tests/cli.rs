@@ -490,6 +490,46 @@ fn an_interrupt_leaves_earlier_results_whole() {
     assert_eq!(left.count(), 5);
 }
 
+/// `motes new`: a file that runs, under its own name, and never over another.
+#[test]
+fn a_scenario_of_ones_own_is_written_with_its_files_and_never_over_another() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    stdout(folder.path(), &["new", "tube.toml"]);
+    stdout(folder.path(), &["new", "house.toml", "--from", "wall-day"]);
+    for name in ["tube", "house"] {
+        let file = format!("{name}.toml");
+        stdout(folder.path(), &["run", &file, "-n", "96", "--quiet"]);
+        assert!(
+            at("out").join(name).join("particles.csv").is_file(),
+            "{name}"
+        );
+    }
+    let built_in = stdout(folder.path(), &["show", "sod"]);
+    let own = std::fs::read_to_string(at("tube.toml")).unwrap();
+    let differ = built_in.lines().zip(own.lines()).filter(|(a, b)| a != b);
+    let differ: Vec<_> = differ.collect();
+    assert!(
+        differ.len() == 1 && differ[0].1.contains("tube"),
+        "{differ:?}"
+    );
+    for (arguments, words) in [
+        (&["new", "tube.toml"][..], "is there already"),
+        (
+            &["new", "other.toml", "--from", "wall-day"],
+            "wall-day.csv` is there already",
+        ),
+        (&["new", "tube"], "tube.toml"),
+        (&["new", "no/tube.toml"], "make the folder first"),
+        (&["new", "other.toml", "--from", "sodd"], "sod"),
+    ] {
+        let errors = failure(folder.path(), arguments, 2);
+        assert!(errors.contains(words), "{errors}");
+    }
+    assert!(!at("other.toml").exists());
+    assert_eq!(std::fs::read_to_string(at("tube.toml")).unwrap(), own);
+}
+
 #[test]
 fn help_has_examples_and_the_version_is_told() {
     let folder = tempfile::tempdir().unwrap();

@@ -33,6 +33,8 @@ pub(super) enum Command {
         /// A built-in scenario, see `motes list`, or a file that one names
         name: String,
     },
+    /// Write a scenario of your own, to edit
+    New(NewArguments),
     /// Run the test suite against its exact solutions and write a report
     Suite(SuiteArguments),
     /// Run a scenario at several resolutions and tell the order of its error
@@ -136,6 +138,16 @@ pub(super) struct ResumeArguments {
     /// Stop a run that at its pace would take more days than this
     #[arg(long, default_value_t = LONGEST, value_name = "DAYS")]
     pub longest: f64,
+}
+
+#[derive(Args)]
+pub(super) struct NewArguments {
+    /// The file to write, which must not be there yet
+    #[arg(value_name = "FILE.toml")]
+    pub file: PathBuf,
+    /// The built-in scenario to begin with, see `motes list`
+    #[arg(long, default_value = "sod", value_name = "NAME")]
+    pub from: String,
 }
 
 #[derive(Args)]

@@ -6,6 +6,7 @@ mod converge;
 mod export;
 mod inspect;
 mod list;
+mod new;
 mod progress;
 mod run;
 mod suite;
@@ -49,6 +50,7 @@ pub fn main() -> ExitCode {
         Command::Inspect(arguments) => inspect::inspect(&arguments),
         Command::List => list::list(),
         Command::Show { name } => show(&name),
+        Command::New(arguments) => new::new(&arguments),
         Command::Export(arguments) => export::export(&arguments),
         Command::Suite(arguments) => suite::suite(&arguments),
         Command::Converge(arguments) => converge::converge(&arguments),

@@ -9,7 +9,7 @@ use motes_core::cloud::Words;
 
 use super::Failure;
 use super::arguments::{ResumeArguments, RunArguments, any_scenario, scalar};
-use super::watch::{Interrupt, Patience, progress_bar};
+use super::watch::{Interrupt, Lines, Patience, progress_bar};
 use crate::checkpoints::{self, CheckpointWriter, Often, Resumption, inputs, origin};
 use crate::engine::Threads;
 use crate::experiment::{Experiment, ExperimentError};
@@ -137,6 +137,7 @@ fn carry_out(order: Order<'_>) -> Result<(), Failure> {
     bar.reset();
     bar.set_message(scenario.name().to_owned());
     let mut patience = Patience::new(order.longest);
+    let mut lines = Lines::new(scenario.name(), is_hidden);
     let mut snapshots = SnapshotWriter::new(&scenario, &folder);
     let mut words = order.from.map(Checkpoint::words);
     let mut steps = 0;
@@ -161,6 +162,7 @@ fn carry_out(order: Order<'_>) -> Result<(), Failure> {
             steps = simulation.steps();
             let (folder, snapshots) = &mut *files.borrow_mut();
             snapshots.look(simulation, folder)?;
+            lines.look(simulation);
             patience.look(simulation)
         },
         keep: Some(&mut |simulation, logbook| {

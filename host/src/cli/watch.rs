@@ -1,11 +1,11 @@
 //! Progress on the terminal, and Ctrl-C.
 
-use std::io::IsTerminal;
+use std::io::{IsTerminal, Write};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 
 use crate::run::{Mark, Pace, Simulation};
 
@@ -85,6 +85,55 @@ impl Patience {
             steps: simulation.steps(),
         };
         self.pace.stops(now).map_or(Ok(()), Err)
+    }
+}
+
+/// Lines that say how far a run is where no terminal shows a bar: into log files.
+pub(super) struct Lines {
+    name: String,
+    is_wanted: bool,
+    started: Instant,
+    told: Instant,
+    /// What had been done when the program began.
+    first: Option<(f64, u64)>,
+}
+
+/// How often a line is written.
+const EVERY: Duration = Duration::from_secs(60);
+
+impl Lines {
+    /// For a run of that name; none where it is not wanted or a terminal shows a bar.
+    pub fn new(name: &str, hidden: bool) -> Self {
+        let now = Instant::now();
+        Self {
+            name: name.to_owned(),
+            is_wanted: !hidden && !std::io::stderr().is_terminal(),
+            started: now,
+            told: now,
+            first: None,
+        }
+    }
+
+    /// Looks at the run after a step.
+    pub fn look(&mut self, simulation: &dyn Simulation) {
+        let (done, steps) = (simulation.done(), simulation.steps());
+        let first = *self.first.get_or_insert((done, steps));
+        if !self.is_wanted || self.told.elapsed() < EVERY {
+            return;
+        }
+        self.told = Instant::now();
+        let seconds = self.started.elapsed().as_secs_f64();
+        let left = seconds * (1.0 - done) / (done - first.0);
+        // Where nobody reads it the run goes on all the same.
+        let _ = writeln!(
+            std::io::stderr(),
+            "{}: {:.1} %, t = {:.6}, {steps} steps, {:.1} a second, {} left",
+            self.name,
+            100.0 * done,
+            simulation.time(),
+            (steps - first.1) as f64 / seconds,
+            HumanDuration(Duration::try_from_secs_f64(left).unwrap_or(Duration::MAX)),
+        );
     }
 }
 

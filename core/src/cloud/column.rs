@@ -141,9 +141,30 @@ pub trait Columns<S: Scalar> {
         }
         Digest(sum)
     }
+
+    /// Bytes of one particle that the next step starts from: its fields of [`Role::State`] and
+    /// [`Role::Carried`]. 0 without particles.
+    fn state_bytes(&self) -> usize {
+        let fields = || numbered(self.fields());
+        let mut one = fields().filter(|(_, field)| field.components == Components::One);
+        let particles = one.next().and_then(|(place, _)| self.column(place));
+        let particles = particles.map_or(0, |column| column.len());
+        let kept = fields().filter(|(_, field)| field.role != Role::Derived);
+        let bytes = kept.filter_map(|(place, _)| self.column(place).map(|column| column.bytes()));
+        bytes.sum::<usize>().checked_div(particles).unwrap_or(0)
+    }
 }
 
 impl<S: Scalar> Column<'_, S> {
+    /// Bytes of all of them.
+    pub fn bytes(&self) -> usize {
+        match self {
+            Self::Scalars(values) => size_of_val(*values),
+            Self::Strengths(values) => size_of_val(*values),
+            Self::Integers(values) => size_of_val(*values),
+        }
+    }
+
     /// How many numbers there are.
     pub fn len(&self) -> usize {
         match self {

@@ -151,6 +151,9 @@ pub trait Simulation: Send {
     /// The same whatever the order of the particles: a sum over them.
     fn digest_unordered(&mut self) -> Digest;
 
+    /// Bytes of a particle that the next step starts from, in the scalar of the run.
+    fn state_bytes(&mut self) -> usize;
+
     /// The reconstruction (1.13) of the state at some points, at the particles without any, one
     /// after the other; empty where there is none. For the end of a run.
     ///

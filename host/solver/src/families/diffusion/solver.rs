@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use motes_core::cloud::Words;
+use motes_core::cloud::{Columns as _, Words};
 use motes_core::cutoff::Named;
 use motes_core::digest::Digest;
 use motes_core::equation::Parts;
@@ -134,6 +134,9 @@ impl<S: HostScalar, const D: usize, const P: usize> Solver<S> for Diffusion<S, D
     }
     fn digest_unordered(&mut self) -> Digest {
         self.memory.cloud.parts().0.digest_unordered()
+    }
+    fn state_bytes(&mut self) -> usize {
+        self.memory.cloud.parts().0.state_bytes()
     }
     fn intake(&self, source: Source) -> Option<f64> {
         Some(source.total(&self.memory.ledger))

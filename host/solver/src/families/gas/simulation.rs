@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use motes_core::cloud::Words;
+use motes_core::cloud::{Columns as _, Words};
 use motes_core::cutoff::Named as NamedCutOff;
 use motes_core::digest::Digest;
 use motes_core::domain::Domain;
@@ -436,6 +436,10 @@ impl<S: HostScalar, P: Physics<S, D> + Send, const D: usize> Simulation for GasS
 
     fn digest_unordered(&mut self) -> Digest {
         self.memory.gas().digest_unordered()
+    }
+
+    fn state_bytes(&mut self) -> usize {
+        self.memory.gas().state_bytes()
     }
 
     fn wall_forces(&self, outcome: &Outcome) -> BTreeMap<String, Vec<f64>> {

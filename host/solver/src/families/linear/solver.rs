@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use motes_core::cloud::Words;
+use motes_core::cloud::{Columns as _, Words};
 use motes_core::cutoff::Named;
 use motes_core::digest::Digest;
 use motes_core::equation::linear::{FirstOrderSystem, LinearDynamics, Place};
@@ -71,6 +71,9 @@ where
     }
     fn digest_unordered(&mut self) -> Digest {
         self.memory.cloud.parts().0.digest_unordered()
+    }
+    fn state_bytes(&mut self) -> usize {
+        self.memory.cloud.parts().0.state_bytes()
     }
 
     fn prepare(&mut self, engine: &mut Threads) -> Result<(), Error> {

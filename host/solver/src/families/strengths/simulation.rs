@@ -304,6 +304,10 @@ impl<S: HostScalar> Simulation for Strengths<S> {
         self.solver.digest_unordered()
     }
 
+    fn state_bytes(&mut self) -> usize {
+        self.solver.state_bytes()
+    }
+
     fn reconstruct(&mut self, points: Option<&[[f64; 3]]>) -> Result<Vec<f64>, RunError> {
         let (plan, failed) = (&self.plan, self.failed());
         let along = |x: &[f64; 3], i: usize| (x[i] - plan.middle[i]) / plan.units.length;

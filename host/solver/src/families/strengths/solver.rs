@@ -23,6 +23,8 @@ pub(in crate::families) trait Solver<S: HostScalar>: Send {
     fn digest(&mut self) -> Digest;
     /// The same in any order of the particles.
     fn digest_unordered(&mut self) -> Digest;
+    /// Bytes of a particle that the next step starts from.
+    fn state_bytes(&mut self) -> usize;
     /// What has come in from a source so far, in units of a strength; `None` where that is not counted.
     fn intake(&self, source: Source) -> Option<f64> {
         let _ = source;

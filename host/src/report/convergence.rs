@@ -1,11 +1,12 @@
 //! What `motes converge` tells: a table for people, one JSON object for programs, a picture.
 
+mod picture;
+
 use std::fmt;
 
 use serde::Serialize;
 
 use super::figure::FigureError;
-use super::log_log;
 use crate::study::{Level, PowerLaw, Study};
 
 /// What a study came to. Serialised, it is the object that `--json` prints.
@@ -67,7 +68,7 @@ impl Convergence {
             self.scenario, self.field, self.scalar
         );
         let error = format!("{} error", shown(self.norm));
-        log_log::picture(&title, &error, study)
+        picture::picture(&title, &error, study)
     }
 }
 

@@ -1,6 +1,7 @@
 //! A scenario run and measured: what `motes run`, `motes converge` and `motes suite` have in common.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use crate::engine::Threads;
 use crate::exact::solution::Solution;
@@ -22,7 +23,7 @@ pub struct Experiment {
     /// What the run came to.
     pub outcome: Outcome,
     /// The exact solution, where the scenario asks for one.
-    pub exact: Option<Box<dyn Solution>>,
+    pub exact: Option<Arc<dyn Solution>>,
     /// The reconstruction (1.13) at the particles, one after the other; empty where there is none.
     pub reconstruction: Vec<f64>,
     /// The reconstruction at the points of the probe; empty without one.
@@ -61,6 +62,19 @@ fn schedule(scenario: &AnyScenario) -> Schedule {
 }
 
 impl Experiment {
+    /// The drift of the sums of which it is known what they should be; `None` where there is none.
+    pub fn drift(&self) -> Option<Vec<(String, f64)>> {
+        let is_known = self.simulation.description().known.contains(&true);
+        is_known.then(|| self.outcome.drift.clone())
+    }
+
+    /// What a careful reader should know.
+    pub fn warnings(&self) -> Vec<String> {
+        let mut warnings = self.simulation.warnings(&self.outcome);
+        warnings.extend(self.doubts.iter().cloned());
+        warnings
+    }
+
     /// Runs a scenario to its end and measures it; `checked` marks overflow in fixed point and
     /// stops at the first.
     ///
@@ -73,7 +87,7 @@ impl Experiment {
         control: &mut Control<'_>,
     ) -> Result<Self, ExperimentError> {
         let plan = Plan::new(&scenario)?;
-        let exact = families::solution(&scenario)?;
+        let exact = families::solution(&scenario)?.map(Arc::from);
         Ok(Self::of(scenario, (plan, exact), how, engine, control)?)
     }
 
@@ -83,7 +97,7 @@ impl Experiment {
     /// What [`RunError`] lists.
     pub fn of(
         scenario: AnyScenario,
-        (plan, exact): (Plan, Option<Box<dyn Solution>>),
+        (plan, exact): (Plan, Option<Arc<dyn Solution>>),
         (scalar, checked): (ScalarName, bool),
         engine: &mut Threads,
         control: &mut Control<'_>,

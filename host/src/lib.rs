@@ -68,7 +68,7 @@
 //! | [`families`] | from a scenario to a plan and an exact solution; the table of all that can be run |
 //! | [`run`] | [`run::Simulation`], the run loop, what a run comes to, errors against a solution |
 //! | [`experiment`] | a scenario run and measured |
-//! | [`study`], [`suite`] | several resolutions; the standard cases and their bounds |
+//! | [`study`], [`precision`], [`suite`] | several resolutions; several number formats; the standard cases and their bounds |
 //! | [`io`], [`report`], [`snapshots`], [`export`] | tables, pictures and summaries; states on the way; Rust source for a device |
 //! | [`checkpoints`] | a run in a file, to go on from |
 //! | [`engine`] | threads and lanes |
@@ -93,6 +93,7 @@ pub mod cli;
 pub mod experiment;
 pub mod export;
 pub mod io;
+pub mod precision;
 pub mod report;
 pub mod run;
 mod scalars;

@@ -79,7 +79,7 @@ impl ScalarName {
     }
 
     /// How to have the formats that this build lacks; empty where it lacks none.
-    fn more() -> &'static str {
+    pub(crate) fn more() -> &'static str {
         if cfg!(feature = "every-scalar") {
             ""
         } else if cfg!(feature = "fixed-point") {
@@ -87,6 +87,22 @@ impl ScalarName {
              --features every-scalar`"
         } else {
             "; fixed point and micromath come without `--no-default-features`"
+        }
+    }
+
+    /// Whether it is fixed point.
+    pub fn is_fixed(self) -> bool {
+        self.name().starts_with('q')
+    }
+
+    /// Bits behind the point of its numbers at 1: neighbours there are `2^-bits` apart. In fixed point
+    /// they are so everywhere.
+    pub fn fraction_bits(self) -> u32 {
+        let behind = self.name().split_once('.');
+        match behind.and_then(|(_, bits)| bits.parse().ok()) {
+            Some(bits) => bits,
+            None if self == Self::F64 => f64::MANTISSA_DIGITS - 1,
+            None => f32::MANTISSA_DIGITS - 1,
         }
     }
 

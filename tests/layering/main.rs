@@ -40,11 +40,12 @@ const SOLVER: [&str; 10] = [
 ];
 
 /// The layers of the program, lowest first; all of them lie above the solver.
-const HOST: [&str; 12] = [
+const HOST: [&str; 13] = [
     "scalars",
     "run",
     "experiment",
     "study",
+    "precision",
     "export",
     "io",
     "snapshots",
@@ -220,6 +221,8 @@ const KNOWN: [(&str, &str, &[&str]); 14] = [
         &[
             "arguments.rs",
             "bench.rs",
+            "compare.rs",
+            "compare/formats.rs",
             "converge.rs",
             "export.rs",
             "list.rs",

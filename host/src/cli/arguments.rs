@@ -1,14 +1,19 @@
 //! Flags and their help.
 
+mod compare;
+
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
 use super::Failure;
+use super::watch::LONGEST;
 use crate::checkpoints::Often;
 use crate::run::{ScalarName, UnknownScalar};
 use crate::scenario::{AnyScenario, Source, shortened};
 use crate::study::ErrorNorm;
+
+pub(super) use compare::CompareArguments;
 
 /// A deterministic particle solver for first-order systems of partial differential equations.
 #[derive(Parser)]
@@ -39,6 +44,8 @@ pub(super) enum Command {
     Suite(SuiteArguments),
     /// Run a scenario at several resolutions and tell the order of its error
     Converge(ConvergeArguments),
+    /// Run a scenario in several number formats and tell what each loses
+    Compare(CompareArguments),
     /// Print a scenario as Rust source for a device
     Export(ExportArguments),
     /// Measure speed: gas dynamics in a jittered periodic box, particle updates a second
@@ -189,9 +196,6 @@ pub(super) struct SuiteArguments {
     #[arg(long)]
     pub json: bool,
 }
-
-/// Days that a run may take without being asked for: nobody waits for a year.
-const LONGEST: f64 = 365.0;
 
 /// Where the report of the suite goes.
 pub(super) const SUITE_FOLDER: &str = "out/suite";

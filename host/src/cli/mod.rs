@@ -2,6 +2,7 @@
 
 mod arguments;
 mod bench;
+mod compare;
 mod converge;
 mod export;
 mod inspect;
@@ -54,6 +55,7 @@ pub fn main() -> ExitCode {
         Command::Export(arguments) => export::export(&arguments),
         Command::Suite(arguments) => suite::suite(&arguments),
         Command::Converge(arguments) => converge::converge(&arguments),
+        Command::Compare(arguments) => compare::compare(&arguments),
         Command::Bench(arguments) => bench::bench(&arguments),
     };
     let (report, code) = match result {

@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use miette::{IntoDiagnostic, Report, WrapErr};
 use motes_core::cloud::Words;
@@ -177,7 +178,13 @@ fn carry_out(order: Order<'_>) -> Result<(), Failure> {
         from: words.as_mut().map(|words| words as &mut dyn Words),
     };
     let how = (scalar, order.check_overflow);
-    let experiment = Experiment::of(scenario, (plan, exact), how, &mut engine, &mut control);
+    let experiment = Experiment::of(
+        scenario,
+        (plan, exact.map(Arc::from)),
+        how,
+        &mut engine,
+        &mut control,
+    );
     bar.finish_and_clear();
     let experiment = match experiment {
         Ok(experiment) => experiment,

@@ -58,6 +58,9 @@ impl Interrupt {
     }
 }
 
+/// Days that a run may take without being asked for: nobody waits for a year.
+pub(super) const LONGEST: f64 = 365.0;
+
 /// Stops a run that would take longer than anybody waits.
 pub(super) struct Patience {
     started: Option<Instant>,

@@ -2,6 +2,7 @@
 
 mod checkpoint;
 mod folder;
+mod formats;
 mod levels;
 mod run;
 mod series;
@@ -12,6 +13,7 @@ pub use checkpoint::{
     Checkpoint, CheckpointError, Header, Input, Origin, Remaining, write_checkpoint,
 };
 pub use folder::{FolderError, RunFolder};
+pub use formats::write_formats;
 pub use levels::write_levels;
 pub use run::{write_particles, write_probe, write_series};
 pub use series::{SNAPSHOTS, SnapshotEntry, SnapshotFormat, SnapshotSeries};

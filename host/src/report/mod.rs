@@ -1,5 +1,6 @@
 //! What a run tells people and programs.
 
+pub mod comparison;
 pub mod convergence;
 pub mod figure;
 mod log_axis;

@@ -95,8 +95,6 @@ impl Summary {
     pub fn new(experiment: &Experiment, scalar: &str, threads: usize) -> Self {
         let (outcome, simulation) = (&experiment.outcome, &experiment.simulation);
         let description = simulation.description();
-        let mut warnings = simulation.warnings(outcome);
-        warnings.extend(experiment.doubts.iter().cloned());
         let summary = Self {
             scenario: experiment.scenario.name().to_owned(),
             system: None,
@@ -114,14 +112,14 @@ impl Summary {
             time_step: [outcome.smallest_step, outcome.largest_step],
             seconds: outcome.seconds,
             errors: experiment.errors.clone(),
-            drift: (description.known.contains(&true)).then(|| outcome.drift.clone()),
+            drift: experiment.drift(),
             energy_norm: None,
             balance: simulation.balance(outcome),
             wall_forces: simulation.wall_forces(outcome),
             neighbours: outcome.neighbours,
             digest: outcome.digest.to_string(),
             digest_unordered: outcome.digest_unordered.to_string(),
-            warnings,
+            warnings: experiment.warnings(),
             fields: crate::families::compared(&experiment.scenario),
             leak: description.leak,
         };

@@ -211,4 +211,47 @@ fn the_input_of_a_run_stays_where_it_is() {
     );
     assert!(folder.path().join("out/particles.csv").exists());
     assert!(folder.path().join("out/snapshots.csv").exists());
+    // Studies in the folder of the run leave the scenario that they read.
+    let formats = ["--scalars", "f64,f32", "--out", "out", "--json"];
+    stdout(
+        folder.path(),
+        &[&["compare", "out/scenario.toml"], &formats[..]].concat(),
+    );
+    let levels = ["--ladder", "112,225", "--out", "out", "--json"];
+    stdout(
+        folder.path(),
+        &[&["converge", "out/scenario.toml"], &levels[..]].concat(),
+    );
+    assert_eq!(
+        std::fs::read_to_string(folder.path().join("out/scenario.toml")).unwrap(),
+        scenario
+    );
+}
+
+/// A cloud that is called as a result is: the command says so and leaves it.
+#[test]
+fn a_comparison_does_not_write_over_the_cloud_that_it_reads() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = [
+        "run",
+        "acoustics1d",
+        "-n",
+        "64",
+        "--out",
+        "first",
+        "--quiet",
+    ];
+    stdout(folder.path(), &run);
+    let cloud = folder.path().join("compare.csv");
+    std::fs::copy(folder.path().join("first/particles.csv"), &cloud).unwrap();
+    let before = std::fs::read(&cloud).unwrap();
+    let reads = "resolution={ arrangement = \"file\", file = \"compare.csv\" }";
+    let call = ["compare", "acoustics1d", "--out", ".", "--set", reads];
+    let report = failure(folder.path(), &call, 2);
+    assert!(
+        report.contains("compare.csv`, which its results would"),
+        "{report}"
+    );
+    assert!(report.contains("--out"), "{report}");
+    assert_eq!(std::fs::read(&cloud).unwrap(), before);
 }

@@ -11,7 +11,7 @@ use miette::{Diagnostic, IntoDiagnostic, Report, WrapErr};
 
 use super::Failure;
 use super::arguments::{CompareArguments, any_scenario};
-use super::run::failure;
+use super::run::{claimed, failure};
 use super::watch::{Interrupt, Patience, progress_bar};
 use crate::engine::Threads;
 use crate::exact::solution::Solution;
@@ -23,6 +23,12 @@ use crate::report::comparison::{markdown, picture};
 use crate::run::{Control, RunError, ScalarName};
 use crate::scenario::{AnyScenario, shortened};
 use crate::study::Subject;
+
+/// What is written.
+const RESULTS: [&str; 3] = [TABLE, REPORT, PICTURE];
+const TABLE: &str = "compare.csv";
+const REPORT: &str = "compare.md";
+const PICTURE: &str = "compare.svg";
 
 /// Runs in all formats, writes, prints.
 pub(super) fn compare(arguments: &CompareArguments) -> Result<(), Failure> {
@@ -49,7 +55,7 @@ pub(super) fn compare(arguments: &CompareArguments) -> Result<(), Failure> {
     let name = format!("compare-{}", scenario.name());
     let out = out.unwrap_or_else(|| Path::new("out").join(name));
     // Now rather than after the runs: a folder that cannot be written to costs no time.
-    let mut folder = io::RunFolder::claim(&out).map_err(Failure::input)?;
+    let mut folder = claimed(&out, (&arguments.scenario, &scenario), &RESULTS)?;
     let interrupt = Interrupt::listen();
     let mut engines = engines(arguments.threads, scalars.len(), &plan, &interrupt)?;
 
@@ -72,14 +78,11 @@ pub(super) fn compare(arguments: &CompareArguments) -> Result<(), Failure> {
 
     let write = |result: Result<(), io::WriteError>| result.map_err(|e| Failure::Run(e.into()));
     let drawn = picture(&comparison).map_err(|error| Failure::Run(Report::new(error)))?;
-    let place = folder.place("compare.csv");
+    let place = folder.place(TABLE);
     write(place.and_then(|place| io::write_formats(&place, &comparison)))?;
-    let command = formats::command(arguments);
-    write(folder.write(
-        "compare.md",
-        &markdown(&comparison, &command, "compare.svg"),
-    ))?;
-    write(folder.write("compare.svg", &drawn))?;
+    let report = markdown(&comparison, &formats::command(arguments), PICTURE);
+    write(folder.write(REPORT, &report))?;
+    write(folder.write(PICTURE, &drawn))?;
     if arguments.json {
         let json = serde_json::to_string(&comparison)
             .into_diagnostic()

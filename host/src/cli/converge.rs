@@ -7,7 +7,7 @@ use miette::{IntoDiagnostic, Report};
 use super::Failure;
 use super::arguments::{ConvergeArguments, any_scenario, scalar, whole_number};
 use super::progress::Progress;
-use super::run::experiment_failure;
+use super::run::{claimed, experiment_failure};
 use super::watch::{Interrupt, Patience};
 use crate::engine::Threads;
 use crate::experiment::Experiment;
@@ -29,7 +29,8 @@ pub(super) fn converge(arguments: &ConvergeArguments) -> Result<(), Failure> {
     let out = arguments.out.clone();
     let out = out.unwrap_or_else(|| Path::new("out").join(name));
     // Now rather than after the runs: a folder that cannot be written to costs no time.
-    let mut folder = io::RunFolder::claim(&out).map_err(Failure::input)?;
+    let results = ["converge.csv", "converge.svg"];
+    let mut folder = claimed(&out, (&arguments.scenario, &base), &results)?;
 
     let mut runs = Runs {
         arguments,

@@ -132,7 +132,7 @@ fn carry_out(order: Order<'_>) -> Result<(), Failure> {
     let mut engine = Threads::new(order.threads).map_err(Failure::input)?;
     engine.allow_unproven(order.allow_unproven);
     // Now rather than after the run: a folder that cannot be had costs no time.
-    let mut folder = claimed(&order.out, &order.header.origin, &scenario)?;
+    let mut folder = claimed(&order.out, (&order.header.origin, &scenario), &RESULTS)?;
     let interrupt = Interrupt::listen();
     engine.stop_on(interrupt.flag());
     bar.reset();
@@ -242,9 +242,13 @@ fn tell_removed(folder: &RunFolder, is_quiet: bool) {
 /// What a run of any scenario writes.
 const RESULTS: [&str; 4] = ["particles.csv", "series.csv", "probe.csv", "scenario.toml"];
 
-/// The folder of a run, its own from now on. What the run reads stays in it, and is not written over
-/// by what is no copy of it.
-fn claimed(out: &Path, origin: &Origin, scenario: &AnyScenario) -> Result<RunFolder, Failure> {
+/// The folder of a run that writes these files, its own from now on. What the run reads stays in it, and
+/// is not written over by what is no copy of it.
+pub(super) fn claimed(
+    out: &Path,
+    (origin, scenario): (&Origin, &AnyScenario),
+    results: &[&str],
+) -> Result<RunFolder, Failure> {
     let beside = match origin {
         Origin::File(path) => Some(path.clone()),
         Origin::BuiltIn(_) => None,
@@ -261,7 +265,7 @@ fn claimed(out: &Path, origin: &Origin, scenario: &AnyScenario) -> Result<RunFol
     let mut folder = RunFolder::claim(out).map_err(Failure::input)?;
     for input in &inputs {
         folder.keep(input);
-        if RESULTS.iter().any(|name| folder.has(name, input)) {
+        if results.iter().any(|name| folder.has(name, input)) {
             return Err(Failure::Input(miette::miette!(
                 help = "choose another folder with --out, or give the file another name",
                 "the run reads `{}`, which its results would replace",

@@ -74,8 +74,11 @@ pub(super) fn compare(arguments: &CompareArguments) -> Result<(), Failure> {
         runs.run(place, scalars[place], engine)
     });
     runs.bar.finish_and_clear();
-    let comparison = compared(&scenario, &field, scalars.into_iter().zip(results))?;
+    let mut comparison = compared(&scenario, &field, scalars.into_iter().zip(results))?;
 
+    comparison
+        .warnings
+        .extend(formats::note(arguments.bits.as_deref()));
     let write = |result: Result<(), io::WriteError>| result.map_err(|e| Failure::Run(e.into()));
     let drawn = picture(&comparison).map_err(|error| Failure::Run(Report::new(error)))?;
     let place = folder.place(TABLE);

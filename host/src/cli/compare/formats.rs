@@ -42,23 +42,40 @@ fn within(text: &str) -> Result<Vec<ScalarName>, Failure> {
             shortened(text)
         )));
     };
-    let all = ScalarName::ALL.iter().map(|row| row.0);
-    let mut fixed: Vec<ScalarName> = all.filter(|scalar| scalar.is_fixed()).collect();
-    fixed.sort_by_key(|scalar| std::cmp::Reverse(scalar.fraction_bits()));
-    let has: Vec<&str> = fixed.iter().map(|scalar| scalar.name()).collect();
-    let has = match has.is_empty() {
-        true => "no fixed point".to_owned(),
-        false => has.join(", "),
-    };
+    let mut fixed = fixed();
     fixed.retain(|scalar| (least..=most).contains(&scalar.fraction_bits()));
     if fixed.is_empty() {
         return Err(Failure::Input(miette::miette!(
-            help = format!("this build has {has}{}", ScalarName::more()),
+            help = has(),
             "no format of this build has {least} to {most} bits behind the point"
         )));
     }
     fixed.insert(0, ScalarName::F64);
     Ok(fixed)
+}
+
+/// The fixed-point formats of the build, the coarsest last.
+fn fixed() -> Vec<ScalarName> {
+    let all = ScalarName::ALL.iter().map(|row| row.0);
+    let mut fixed: Vec<ScalarName> = all.filter(|scalar| scalar.is_fixed()).collect();
+    fixed.sort_by_key(|scalar| std::cmp::Reverse(scalar.fraction_bits()));
+    fixed
+}
+
+/// What the build has of them, and how to have more.
+fn has() -> String {
+    let names: Vec<&str> = fixed().iter().map(|scalar| scalar.name()).collect();
+    let names = match names.is_empty() {
+        true => "no fixed point".to_owned(),
+        false => names.join(", "),
+    };
+    format!("this build has {names}{}", ScalarName::more())
+}
+
+/// What who asks for a sweep should know: that it is over the formats of the build, where there are more.
+pub(super) fn note(bits: Option<&str>) -> Option<String> {
+    let is_part = bits.is_some() && !ScalarName::more().is_empty();
+    is_part.then(|| format!("a sweep takes formats that are compiled: {}", has()))
 }
 
 /// The command line that asks for the same, for a report.

@@ -2,13 +2,9 @@
 //! particle, data on the points (VTK file formats, "XML File Formats", UnstructuredGrid).
 
 use std::collections::BTreeSet;
-use std::io::Write;
+use std::io::{BufWriter, Write};
+use std::ops::Range;
 use std::path::Path;
-
-use vtkio::model::{
-    Attribute, Attributes, ByteOrder, CellType, Cells, DataArray, DataSet, IOBuffer,
-    UnstructuredGridPiece, Version, VertexNumbers, Vtk,
-};
 
 use super::table::{WriteError, whole};
 
@@ -57,40 +53,114 @@ impl Cloud<'_> {
         Ok(())
     }
 
-    /// The grid as VTK knows it.
-    fn grid(&self) -> UnstructuredGridPiece {
-        let vertices = self.positions.len() as u64;
-        let scalars = self.scalars.iter().map(|(name, values)| {
-            let values = IOBuffer::F64(values.clone());
-            DataArray::new(*name, 1).with_buf(values)
-        });
-        let vectors = self.vectors.iter().map(|(name, values)| {
-            let values = IOBuffer::F64(values.as_flattened().to_vec());
-            DataArray::new(*name, 3).with_buf(values)
-        });
-        let integers = self.integers.iter().map(|(name, values)| {
-            let values = IOBuffer::U32(values.clone());
-            DataArray::new(*name, 1).with_buf(values)
-        });
-        let fields = scalars.chain(vectors).chain(integers);
-        UnstructuredGridPiece {
-            points: IOBuffer::F64(self.positions.as_flattened().to_vec()),
-            cells: Cells {
-                cell_verts: VertexNumbers::XML {
-                    connectivity: (0..vertices).collect(),
-                    offsets: (1..=vertices).collect(),
-                },
-                types: vec![CellType::Vertex; self.positions.len()],
-            },
-            data: Attributes {
-                point: fields.map(Attribute::DataArray).collect(),
-                cell: vec![],
-            },
+    /// The arrays of the file, in its order.
+    fn arrays(&self) -> Vec<Array<'_>> {
+        let mut arrays = Vec::new();
+        let mut add = |part, name, components, values| {
+            arrays.push(Array {
+                part,
+                name,
+                components,
+                values,
+            });
+        };
+        for (name, values) in self.scalars {
+            add(Part::PointData, *name, 1, Values::Floats(values));
+        }
+        for (name, values) in self.vectors {
+            let values = values.as_flattened();
+            add(Part::PointData, *name, 3, Values::Floats(values));
+        }
+        for (name, values) in self.integers {
+            add(Part::PointData, *name, 1, Values::Integers(values));
+        }
+        let positions = self.positions.as_flattened();
+        add(Part::Points, "Points", 3, Values::Floats(positions));
+        let n = self.positions.len() as u64;
+        add(Part::Cells, "connectivity", 1, Values::Count(0..n));
+        add(Part::Cells, "offsets", 1, Values::Count(1..n + 1));
+        add(Part::Cells, "types", 1, Values::Vertices(n));
+        arrays
+    }
+}
+
+/// A part of a piece of a grid.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Part {
+    PointData,
+    Points,
+    Cells,
+}
+
+impl Part {
+    const ALL: [Self; 3] = [Self::PointData, Self::Points, Self::Cells];
+
+    fn tag(self) -> &'static str {
+        match self {
+            Self::PointData => "PointData",
+            Self::Points => "Points",
+            Self::Cells => "Cells",
         }
     }
 }
 
-/// Writes a `.vtu` file: values as base64, every bit kept; the time as `TimeValue`.
+/// An array of the file.
+struct Array<'a> {
+    part: Part,
+    name: &'a str,
+    components: usize,
+    values: Values<'a>,
+}
+
+/// What an array holds.
+enum Values<'a> {
+    Floats(&'a [f64]),
+    Integers(&'a [u32]),
+    /// Whole numbers one after the other.
+    Count(Range<u64>),
+    /// So many cells of one point each, which VTK calls 1.
+    Vertices(u64),
+}
+
+impl Values<'_> {
+    /// The name of their type.
+    fn kind(&self) -> &'static str {
+        match self {
+            Self::Floats(_) => "Float64",
+            Self::Integers(_) => "UInt32",
+            Self::Count(_) => "Int64",
+            Self::Vertices(_) => "UInt8",
+        }
+    }
+
+    /// How many bytes they are.
+    fn bytes(&self) -> u64 {
+        match self {
+            Self::Floats(values) => 8 * values.len() as u64,
+            Self::Integers(values) => 4 * values.len() as u64,
+            Self::Count(range) => 8 * (range.end - range.start),
+            Self::Vertices(cells) => *cells,
+        }
+    }
+
+    /// Writes them, least significant byte first.
+    fn write(&self, file: &mut impl Write) -> std::io::Result<()> {
+        match self {
+            Self::Floats(values) => values
+                .iter()
+                .try_for_each(|x| file.write_all(&x.to_le_bytes())),
+            Self::Integers(values) => values
+                .iter()
+                .try_for_each(|n| file.write_all(&n.to_le_bytes())),
+            Self::Count(range) => range
+                .clone()
+                .try_for_each(|n| file.write_all(&n.to_le_bytes())),
+            Self::Vertices(cells) => (0..*cells).try_for_each(|_| file.write_all(&[1])),
+        }
+    }
+}
+
+/// Writes a `.vtu` file: values appended as they are, every bit kept; the time as `TimeValue`.
 ///
 /// # Errors
 /// A field that is not as long as the positions, or two of one name; a file that cannot be made.
@@ -98,43 +168,44 @@ pub fn write_vtu(path: &Path, cloud: &Cloud<'_>) -> Result<(), WriteError> {
     cloud
         .check()
         .map_err(|error| WriteError::new(path, error))?;
-    let vtk = Vtk {
-        version: Version::new((1, 0)),
-        // Whatever machine writes: the same bytes.
-        byte_order: ByteOrder::LittleEndian,
-        title: String::new(),
-        file_path: None,
-        data: DataSet::inline(cloud.grid()),
-    };
-    whole(path, |file| {
-        let mut text = Vec::new();
-        vtk.write_xml(&mut text)?;
-        let (head, rest) = text.split_at(piece(&text)?);
-        file.write_all(head)?;
-        file.write_all(time_value(cloud.time).as_bytes())?;
-        file.write_all(PIECE)?;
-        if cloud.positions.is_empty() {
-            // vtkio leaves a count of 0 out, and VTK then refuses the file.
-            file.write_all(b" NumberOfCells=\"0\"")?;
+    whole(path, |file| write_grid(&mut BufWriter::new(file), cloud))
+}
+
+fn write_grid(file: &mut impl Write, cloud: &Cloud<'_>) -> std::io::Result<()> {
+    let (arrays, n, time) = (cloud.arrays(), cloud.positions.len(), cloud.time);
+    // Whatever machine writes: the same bytes.
+    write!(
+        file,
+        "<?xml version=\"1.0\"?>\n\
+         <VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" \
+         header_type=\"UInt64\">\n<UnstructuredGrid>\n\
+         <FieldData><DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" \
+         format=\"ascii\">{time:?}</DataArray></FieldData>\n\
+         <Piece NumberOfPoints=\"{n}\" NumberOfCells=\"{n}\">\n"
+    )?;
+    let mut offset = 0;
+    for part in Part::ALL {
+        writeln!(file, "<{}>", part.tag())?;
+        for array in arrays.iter().filter(|array| array.part == part) {
+            writeln!(
+                file,
+                "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" \
+                 format=\"appended\" offset=\"{offset}\"/>",
+                array.values.kind(),
+                escaped(array.name),
+                array.components
+            )?;
+            offset += 8 + array.values.bytes();
         }
-        file.write_all(&rest[PIECE.len()..])
-    })
-}
-
-/// The time as ParaView looks for it; vtkio leaves field data out.
-fn time_value(time: f64) -> String {
-    format!(
-        "<FieldData><DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" \
-         format=\"ascii\">{time:?}</DataArray></FieldData>"
-    )
-}
-
-const PIECE: &[u8] = b"<Piece";
-
-/// Where the one piece of the grid starts.
-fn piece(text: &[u8]) -> std::io::Result<usize> {
-    let start = text.windows(PIECE.len()).position(|part| part == PIECE);
-    start.ok_or_else(|| invalid("vtkio wrote no piece".to_owned()))
+        writeln!(file, "</{}>", part.tag())?;
+    }
+    file.write_all(b"</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_")?;
+    for array in &arrays {
+        file.write_all(&array.values.bytes().to_le_bytes())?;
+        array.values.write(file)?;
+    }
+    file.write_all(b"\n</AppendedData>\n</VTKFile>\n")?;
+    file.flush()
 }
 
 /// Text as the value of an XML attribute, or between tags.
@@ -152,7 +223,6 @@ fn invalid(text: String) -> std::io::Error {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use vtkio::model::Piece;
 
     /// Numbers that a conversion to text or to 32 bits would change.
     const AWKWARD: [f64; 5] = [0.1, -0.0, 5e-324, f64::MAX, f64::NAN];
@@ -175,10 +245,6 @@ mod tests {
         )
     }
 
-    fn bits(values: &[f64]) -> Vec<u64> {
-        values.iter().map(|x| x.to_bits()).collect()
-    }
-
     #[test]
     fn a_file_read_back_holds_the_same_bits() {
         let (positions, scalars, vectors, integers) = fields();
@@ -193,43 +259,66 @@ mod tests {
         let path = folder.path().join("cloud.vtu");
         write_vtu(&path, &cloud).unwrap();
 
-        let vtk = Vtk::import(&path).unwrap();
-        let DataSet::UnstructuredGrid { mut pieces, .. } = vtk.data else {
-            panic!("not an unstructured grid");
-        };
-        let Piece::Inline(piece) = pieces.remove(0) else {
-            panic!("not inline");
-        };
-        let points = piece.points.into_vec::<f64>().unwrap();
-        assert_eq!(bits(&points), bits(positions.as_flattened()));
-        assert_eq!(piece.cells.types, vec![CellType::Vertex; 5]);
-        let topology = VertexNumbers::XML {
-            connectivity: vec![0, 1, 2, 3, 4],
-            offsets: vec![1, 2, 3, 4, 5],
-        };
-        assert_eq!(piece.cells.cell_verts, topology);
+        let bytes = std::fs::read(&path).unwrap();
+        let arrays = read(&bytes);
+        let names: Vec<&str> = arrays.iter().map(|array| array.name.as_str()).collect();
+        let expected =
+            "density,a &lt; b &amp; &quot;c&quot;,velocity,id,Points,connectivity,offsets,types";
+        assert_eq!(names.join(","), expected);
+        let floats =
+            |values: &[f64]| -> Vec<u8> { values.iter().flat_map(|x| x.to_le_bytes()).collect() };
+        let counts =
+            |values: [u64; 5]| -> Vec<u8> { values.iter().flat_map(|n| n.to_le_bytes()).collect() };
+        let integers: Vec<u8> = integers[0].1.iter().flat_map(|n| n.to_le_bytes()).collect();
+        let expected = [
+            ("Float64", "1", floats(&scalars[0].1)),
+            ("Float64", "1", floats(&scalars[1].1)),
+            ("Float64", "3", floats(vectors[0].1.as_flattened())),
+            ("UInt32", "1", integers),
+            ("Float64", "3", floats(positions.as_flattened())),
+            ("Int64", "1", counts([0, 1, 2, 3, 4])),
+            ("Int64", "1", counts([1, 2, 3, 4, 5])),
+            ("UInt8", "1", vec![1; 5]),
+        ];
+        for (array, (kind, components, values)) in arrays.iter().zip(expected) {
+            assert_eq!(array.kind, kind, "{}", array.name);
+            assert_eq!(array.components, components, "{}", array.name);
+            assert_eq!(array.values, values, "{}", array.name);
+        }
+    }
 
-        let mut read = piece.data.point.into_iter().map(|field| match field {
-            Attribute::DataArray(array) => array,
-            Attribute::Field { name, .. } => panic!("{name} is no array"),
+    /// An array of a file, as its attributes say.
+    struct Read {
+        name: String,
+        kind: String,
+        components: String,
+        values: Vec<u8>,
+    }
+
+    /// The arrays of a file, found by their offsets alone.
+    fn read(bytes: &[u8]) -> Vec<Read> {
+        let mark = b"<AppendedData encoding=\"raw\">\n_";
+        let start = bytes.windows(mark.len()).position(|part| part == mark);
+        let start = start.unwrap();
+        let (head, appended) = (&bytes[..start], &bytes[start + mark.len()..]);
+        let head = std::str::from_utf8(head).unwrap();
+        let appended_arrays = head.split("<DataArray ").skip(2);
+        let arrays = appended_arrays.map(|tag| {
+            let attribute = |name: &str| {
+                let (_, rest) = tag.split_once(&format!("{name}=\"")).unwrap();
+                rest.split_once('"').unwrap().0.to_owned()
+            };
+            let offset: usize = attribute("offset").parse().unwrap();
+            let (length, rest) = appended[offset..].split_at(8);
+            let length = u64::from_le_bytes(length.try_into().unwrap()) as usize;
+            Read {
+                name: attribute("Name"),
+                kind: attribute("type"),
+                components: attribute("NumberOfComponents"),
+                values: rest[..length].to_vec(),
+            }
         });
-        for (name, values) in &scalars {
-            let array = read.next().unwrap();
-            assert_eq!((array.name, array.elem.num_comp()), ((*name).to_owned(), 1));
-            assert_eq!(bits(&array.data.into_vec().unwrap()), bits(values));
-        }
-        for (name, values) in &vectors {
-            let array = read.next().unwrap();
-            assert_eq!((array.name.as_str(), array.num_comp()), (*name, 3));
-            let expected = bits(values.as_flattened());
-            assert_eq!(bits(&array.data.into_vec().unwrap()), expected);
-        }
-        for (name, values) in &integers {
-            let array = read.next().unwrap();
-            assert_eq!((array.name.as_str(), array.num_comp()), (*name, 1));
-            assert_eq!(&array.data.into_vec::<u32>().unwrap(), values);
-        }
-        assert!(read.next().is_none());
+        arrays.collect()
     }
 
     #[test]
@@ -246,11 +335,14 @@ mod tests {
         let text = |name: &str, cloud: &Cloud<'_>| {
             let path = folder.path().join(name);
             write_vtu(&path, cloud).unwrap();
-            std::fs::read_to_string(path).unwrap()
+            std::fs::read(path).unwrap()
         };
         let first = text("a.vtu", &cloud);
         assert_eq!(first, text("b.vtu", &cloud));
-        assert!(first.contains(">0.125</DataArray></FieldData><Piece"));
+        let head = String::from_utf8_lossy(&first).into_owned();
+        assert!(
+            head.contains("\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">0.125</DataArray>")
+        );
         let later = Cloud {
             time: 0.25,
             ..cloud
@@ -270,14 +362,15 @@ mod tests {
             time: 0.0,
         };
         write_vtu(&path, &cloud).unwrap();
-        let text = std::fs::read_to_string(path).unwrap();
+        let bytes = std::fs::read(path).unwrap();
+        let text = String::from_utf8_lossy(&bytes);
         for count in ["NumberOfPoints", "NumberOfCells"] {
             assert!(
                 text.contains(&format!(" {count}=\"0\"")),
                 "VTK needs {count}"
             );
         }
-        Vtk::parse_xml(text.as_bytes()).unwrap();
+        assert!(read(&bytes).iter().all(|array| array.values.is_empty()));
     }
 
     #[test]

@@ -13,6 +13,7 @@ use super::Failure;
 use super::arguments::{CompareArguments, any_scenario};
 use super::run::{claimed, failure};
 use super::watch::{Interrupt, Patience, progress_bar};
+use crate::checkpoints::origin;
 use crate::engine::Threads;
 use crate::exact::solution::Solution;
 use crate::experiment::Experiment;
@@ -55,7 +56,7 @@ pub(super) fn compare(arguments: &CompareArguments) -> Result<(), Failure> {
     let name = format!("compare-{}", scenario.name());
     let out = out.unwrap_or_else(|| Path::new("out").join(name));
     // Now rather than after the runs: a folder that cannot be written to costs no time.
-    let mut folder = claimed(&out, (&arguments.scenario, &scenario), &RESULTS)?;
+    let mut folder = claimed(&out, (&origin(&arguments.scenario), &scenario), &RESULTS)?;
     let interrupt = Interrupt::listen();
     let mut engines = engines(arguments.threads, scalars.len(), &plan, &interrupt)?;
 
@@ -214,6 +215,8 @@ impl Runs<'_> {
                 self.interrupt.goes_on()
             },
             look: &mut |simulation| patience.look(simulation),
+            keep: None,
+            from: None,
         };
         let planned = (self.plan.clone(), self.exact.clone());
         let scenario = self.scenario.clone();

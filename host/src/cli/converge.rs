@@ -9,6 +9,7 @@ use super::arguments::{ConvergeArguments, any_scenario, scalar, whole_number};
 use super::progress::Progress;
 use super::run::{claimed, experiment_failure};
 use super::watch::{Interrupt, Patience};
+use crate::checkpoints::origin;
 use crate::engine::Threads;
 use crate::experiment::Experiment;
 use crate::families::Plan;
@@ -30,7 +31,7 @@ pub(super) fn converge(arguments: &ConvergeArguments) -> Result<(), Failure> {
     let out = out.unwrap_or_else(|| Path::new("out").join(name));
     // Now rather than after the runs: a folder that cannot be written to costs no time.
     let results = ["converge.csv", "converge.svg"];
-    let mut folder = claimed(&out, (&arguments.scenario, &base), &results)?;
+    let mut folder = claimed(&out, (&origin(&arguments.scenario), &base), &results)?;
 
     let mut runs = Runs {
         arguments,

@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use crate::derivative::derivative;
+use crate::elementary::choice;
 use crate::graph::{Graph, Node, Operation};
 
 /// A function of the variables of its [`Scope`](crate::Scope); cheap to clone.
@@ -112,7 +113,7 @@ impl Formula {
                 }
                 Operation::Choice(condition, a, b) => {
                     let (condition, a, b) = (registers[condition], registers[a], registers[b]);
-                    std::array::from_fn(|i| if condition[i] == 0.0 { b[i] } else { a[i] })
+                    std::array::from_fn(|i| choice(condition[i], a[i], b[i]))
                 }
             };
         }

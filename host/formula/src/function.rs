@@ -1,4 +1,6 @@
-//! Elementary functions: names, values, derivatives.
+//! Elementary functions: names and values.
+
+use crate::elementary;
 
 /// A function of one number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -64,8 +66,7 @@ impl Function {
             Self::Floor => libm::floor(a),
             Self::Log => libm::log(a),
             Self::Log10 => libm::log10(a),
-            // 0 at 0, where `signum` is 1.
-            Self::Sign => f64::from(i8::from(a > 0.0) - i8::from(a < 0.0)),
+            Self::Sign => elementary::sign(a),
             Self::Sin => libm::sin(a),
             Self::Sinh => libm::sinh(a),
             Self::Sqrt => a.sqrt(),
@@ -102,39 +103,19 @@ pub(crate) const BINARY: [(&str, BinaryFunction); 3] = [
 impl BinaryFunction {
     /// Its value; of a comparison 1 where it holds, else 0.
     pub fn of(self, a: f64, b: f64) -> f64 {
-        let truth = |holds: bool| f64::from(u8::from(holds));
         match self {
             Self::Add => a + b,
             Self::Subtract => a - b,
             Self::Multiply => a * b,
             Self::Divide => a / b,
-            Self::Power => power(a, b),
-            // Of the sign of b, so that it is periodic: `x % 1` is a saw.
-            Self::Remainder => a - b * libm::floor(a / b),
-            // A NaN is kept: `f64::min` would hide it.
-            Self::Minimum if a.is_nan() || a < b => a,
-            Self::Maximum if a.is_nan() || a > b => a,
-            Self::Minimum | Self::Maximum => b,
+            Self::Power => elementary::power(a, b),
+            Self::Remainder => elementary::remainder(a, b),
+            Self::Minimum => elementary::minimum(a, b),
+            Self::Maximum => elementary::maximum(a, b),
             Self::Atan2 => libm::atan2(a, b),
-            Self::Less => truth(a < b),
-            Self::LessOrEqual => truth(a <= b),
-            Self::Equal => truth(a == b),
+            Self::Less => elementary::truth(a < b),
+            Self::LessOrEqual => elementary::truth(a <= b),
+            Self::Equal => elementary::truth(a == b),
         }
     }
-}
-
-/// `a^b`: a whole exponent up to 64 is multiplied out.
-fn power(a: f64, b: f64) -> f64 {
-    if !(b.abs() <= 64.0 && b == libm::floor(b)) {
-        return libm::pow(a, b);
-    }
-    let (mut product, mut square, mut left) = (1.0, a, b.abs() as u32);
-    while left > 0 {
-        if left % 2 == 1 {
-            product *= square;
-        }
-        square *= square;
-        left /= 2;
-    }
-    if b < 0.0 { 1.0 / product } else { product }
 }

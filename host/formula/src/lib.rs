@@ -38,17 +38,21 @@
 //! | `graph` | operations, each once, simplified where that is exact |
 //! | `algebra` | formulas made of formulas |
 //! | `derivative` | the derivative of a list of operations |
-//! | `function` | elementary functions: values and derivatives |
+//! | `function` | elementary functions: names and values |
+//! | `elementary` | values of those that neither Rust nor `libm` has |
 //! | `formula` | a finished formula: evaluation |
+//! | `rust` | a finished formula as Rust source |
 //! | `error` | what is wrong, where, and the cure |
 
 mod algebra;
 mod derivative;
+mod elementary;
 mod error;
 mod formula;
 mod function;
 mod graph;
 mod parser;
+mod rust;
 mod scope;
 #[cfg(test)]
 mod tests;
@@ -56,4 +60,5 @@ mod token;
 
 pub use error::{FormulaError, FormulaFault};
 pub use formula::Formula;
+pub use rust::ELEMENTARY;
 pub use scope::{Scope, is_name};

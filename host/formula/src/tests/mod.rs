@@ -1,3 +1,6 @@
 mod derivatives;
 mod errors;
+#[rustfmt::skip]
+mod printed;
+mod rust;
 mod values;

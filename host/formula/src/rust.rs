@@ -42,6 +42,7 @@ impl Expression {
             f64::NEG_INFINITY => Self::whole("f64::NEG_INFINITY".to_owned()),
             std::f64::consts::PI => Self::whole("core::f64::consts::PI".to_owned()),
             std::f64::consts::TAU => Self::whole("core::f64::consts::TAU".to_owned()),
+            _ if value < 0.0 => Self::number(-value).negative(),
             _ => Self {
                 // The digits read back to the same bits.
                 text: format!("{value:?}"),
@@ -50,6 +51,13 @@ impl Expression {
                     false => Binding::Whole,
                 },
             },
+        }
+    }
+
+    fn negative(&self) -> Self {
+        Self {
+            text: format!("-{}", self.within(Binding::Whole)),
+            binding: Binding::Sign,
         }
     }
 
@@ -100,10 +108,8 @@ impl Expression {
         match binary {
             BinaryFunction::Add => signed("+", Binding::Sum, Binding::Product),
             BinaryFunction::Subtract => signed("-", Binding::Sum, Binding::Product),
-            BinaryFunction::Multiply if a.text == "-1.0" => Self {
-                text: format!("-{}", b.within(Binding::Whole)),
-                binding: Binding::Sign,
-            },
+            BinaryFunction::Multiply if a.text == "-1.0" => b.negative(),
+            BinaryFunction::Multiply if b.text == "-1.0" => a.negative(),
             BinaryFunction::Multiply => signed("*", Binding::Product, Binding::Whole),
             BinaryFunction::Divide => signed("/", Binding::Product, Binding::Whole),
             BinaryFunction::Power => called("elementary::power"),

@@ -6,7 +6,7 @@ use crate::elementary;
 type Value = fn([f64; 3]) -> f64;
 
 /// What is written of each formula.
-pub const PRINTED: [Value; 57] = [
+pub const PRINTED: [Value; 59] = [
     |[x, _, _]| x,
     |[_, _, _]| 3.0,
     |[x, _, _]| -x,
@@ -78,6 +78,7 @@ pub const PRINTED: [Value; 57] = [
         let v5 = elementary::choice(elementary::truth(v2 < 0.0), 0.0, v3) * elementary::choice(elementary::truth(y < 0.0), 0.0, v4);
         elementary::choice(elementary::truth(v0 < 0.0), 0.0, v1) + v5
     },
+    |[x, y, t]| libm::sin(y - 2.0 * x) * libm::sin(t - x),
     |[_, _, _]| core::f64::consts::TAU,
     |[x, y, _]| {
         let v0 = x + y;
@@ -105,5 +106,10 @@ pub const PRINTED: [Value; 57] = [
         let v8 = (libm::cos(v4) * core::f64::consts::TAU - libm::sin(v4) / v5 * (2.0 * v3)) / v5;
         let v9 = elementary::choice(elementary::truth(v3 < 0.0), 0.0, v8) * elementary::choice(elementary::truth(y < 0.0), 0.0, v6);
         elementary::choice(elementary::truth(v0 < 0.0), 0.0, v7) + v9
+    },
+    |[x, y, t]| {
+        let v0 = y - 2.0 * x;
+        let v1 = t - x;
+        libm::cos(v0) * (-2.0) * libm::sin(v1) + libm::sin(v0) * (-libm::cos(v1))
     },
 ];

@@ -12,7 +12,7 @@ const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/tests/printed.rs");
 
 /// Formulas of x, y and t: every sign, every function, how tightly signs hold, what is used twice,
 /// and what is longer than a line.
-const TEXTS: [&str; 53] = [
+const TEXTS: [&str; 54] = [
     "x",
     "3",
     "-x",
@@ -66,6 +66,7 @@ const TEXTS: [&str; 53] = [
     "sin(x + y)^2 + cos(x + y)^2 - 1/(x + y)",
     "exp(-((x - 0.25)^2 + (y - 0.75)^2)/0.02)*cos(2*pi*(x - y - t)) + 0.1*tanh((x + y)/0.05)*exp(-t)",
     "wave(x - t) + wave(x + t)*wave(y)",
+    "sin(y - 2*x)*sin(t - x)",
 ];
 
 fn formulas() -> Vec<Formula> {
@@ -75,7 +76,7 @@ fn formulas() -> Vec<Formula> {
         .define("wave(s)", "if(s < 0, 0, sin(k*s)/(1 + s^2))")
         .unwrap();
     let mut formulas: Vec<Formula> = TEXTS.map(|text| scope.formula(text).unwrap()).into();
-    let steep = [49, 50, 51, 52].map(|i: usize| formulas[i].derivative(0));
+    let steep = [49, 50, 51, 52, 53].map(|i: usize| formulas[i].derivative(0));
     formulas.extend(steep);
     formulas
 }

@@ -3,6 +3,7 @@
 //! field.
 
 mod column;
+mod frame;
 mod place;
 mod registers;
 mod slot;
@@ -14,6 +15,7 @@ mod words;
 
 pub(crate) use column::columns;
 pub use column::{Column, ColumnMut, Columns, Components, Field, Kind, Role, Unit};
+pub use frame::{Frame, Units};
 pub use place::Place;
 pub use registers::{Register, Start};
 pub(crate) use registers::{accumulate, clear, put, remember, remember_strengths};

@@ -42,6 +42,19 @@ impl<S: Scalar> Condition<S> {
         }
     }
 
+    /// The same condition with another number: the value, the flux, or what is outside.
+    pub fn with(self, number: S) -> Self {
+        match self {
+            Self::NoFlux => self,
+            Self::Value(_) => Self::Value(number),
+            Self::Flux(_) => Self::Flux(number),
+            Self::Exchange { rate, .. } => Self::Exchange {
+                rate,
+                outside: number,
+            },
+        }
+    }
+
     /// The same for a wall whose particles are to receive so many times as much.
     pub(super) fn shared(self, share: S) -> Self {
         match self {

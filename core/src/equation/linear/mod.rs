@@ -12,6 +12,7 @@ mod line;
 mod linear_storage;
 mod rates;
 mod reconstruction;
+mod sourced;
 mod storage;
 mod system;
 pub mod systems;
@@ -21,6 +22,7 @@ pub use law::{SystemNode, SystemSums};
 pub use line::Line;
 #[cfg(feature = "heapless")]
 pub use linear_storage::LinearStorage;
+pub use sourced::{Addition, Sourced};
 pub use storage::LinearWorkspace;
 pub use system::FirstOrderSystem;
 

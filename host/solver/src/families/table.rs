@@ -1,9 +1,9 @@
 //! The table of everything that can be run: family, system, dimension and components, in a scalar.
 
-use motes_core::equation::linear::FirstOrderSystem;
+use motes_core::equation::linear::{FirstOrderSystem, Sourced};
 
 use super::diffusion::Diffusion;
-use super::linear::{FirstOrder, Sourced};
+use super::linear::{FirstOrder, SourceFormulas};
 use super::strengths::Maker;
 use super::{Plan, gas, strengths};
 use crate::engine::{HostScalar, Threads};
@@ -29,8 +29,7 @@ pub fn start<S: HostScalar>(
         }
         Plan::Strengths(plan) => *plan,
     };
-    let (dimension, components) = (plan.dimension, plan.names.len());
-    let maker = match (&plan.system, dimension, components) {
+    let maker = match (&plan.system, plan.dimension, plan.row()) {
         (System::Transport { .. }, 1, _) => first_order::<S, _, 1, 1>(&plan, plan.transport()),
         (System::Transport { .. }, 2, _) => first_order::<S, _, 2, 1>(&plan, plan.transport()),
         (System::Transport { .. }, ..) => first_order::<S, _, 3, 1>(&plan, plan.transport()),
@@ -50,29 +49,28 @@ pub fn start<S: HostScalar>(
         (System::LinearisedGas { .. }, ..) => {
             first_order::<S, _, 3, 5>(&plan, plan.linearised_gas())
         }
-        // Of a system given by its matrices: the least that hold its components.
-        (System::Matrices { .. }, 1, 0..=2) => first_order::<S, _, 1, 2>(&plan, plan.matrices()),
-        (System::Matrices { .. }, 1, 3..=4) => first_order::<S, _, 1, 4>(&plan, plan.matrices()),
+        (System::Matrices { .. }, 1, 2) => first_order::<S, _, 1, 2>(&plan, plan.matrices()),
+        (System::Matrices { .. }, 1, 4) => first_order::<S, _, 1, 4>(&plan, plan.matrices()),
         (System::Matrices { .. }, 1, _) => first_order::<S, _, 1, 8>(&plan, plan.matrices()),
-        (System::Matrices { .. }, 2, 0..=2) => first_order::<S, _, 2, 2>(&plan, plan.matrices()),
-        (System::Matrices { .. }, 2, 3..=4) => first_order::<S, _, 2, 4>(&plan, plan.matrices()),
+        (System::Matrices { .. }, 2, 2) => first_order::<S, _, 2, 2>(&plan, plan.matrices()),
+        (System::Matrices { .. }, 2, 4) => first_order::<S, _, 2, 4>(&plan, plan.matrices()),
         (System::Matrices { .. }, 2, _) => first_order::<S, _, 2, 8>(&plan, plan.matrices()),
-        (System::Matrices { .. }, _, 0..=2) => first_order::<S, _, 3, 2>(&plan, plan.matrices()),
-        (System::Matrices { .. }, _, 3..=4) => first_order::<S, _, 3, 4>(&plan, plan.matrices()),
+        (System::Matrices { .. }, _, 2) => first_order::<S, _, 3, 2>(&plan, plan.matrices()),
+        (System::Matrices { .. }, _, 4) => first_order::<S, _, 3, 4>(&plan, plan.matrices()),
         (System::Matrices { .. }, ..) => first_order::<S, _, 3, 8>(&plan, plan.matrices()),
-        (System::VariableMatrices { .. }, 1, 0..=2) => {
+        (System::VariableMatrices { .. }, 1, 2) => {
             first_order::<S, _, 1, 2>(&plan, plan.variable_matrices())
         }
         (System::VariableMatrices { .. }, 1, _) => {
             first_order::<S, _, 1, 8>(&plan, plan.variable_matrices())
         }
-        (System::VariableMatrices { .. }, 2, 0..=4) => {
+        (System::VariableMatrices { .. }, 2, 4) => {
             first_order::<S, _, 2, 4>(&plan, plan.variable_matrices())
         }
         (System::VariableMatrices { .. }, 2, _) => {
             first_order::<S, _, 2, 8>(&plan, plan.variable_matrices())
         }
-        (System::VariableMatrices { .. }, _, 0..=4) => {
+        (System::VariableMatrices { .. }, _, 4) => {
             first_order::<S, _, 3, 4>(&plan, plan.variable_matrices())
         }
         (System::VariableMatrices { .. }, ..) => {
@@ -89,6 +87,23 @@ pub fn start<S: HostScalar>(
     strengths::start(plan, maker, scalar, engine)
 }
 
+impl strengths::Plan {
+    /// Components of a row in the memory of a run: those beyond the plan's own stay 0. Of a system that is
+    /// given by its matrices, and of several species, runs are compiled for some numbers only.
+    pub fn row(&self) -> usize {
+        match (&self.system, self.dimension, self.names.len()) {
+            (System::VariableMatrices { .. }, 2.., 0..=4) => 4,
+            (System::VariableMatrices { .. }, 1, 3..) => 8,
+            (System::Matrices { .. } | System::VariableMatrices { .. }, _, 0..=2) => 2,
+            (System::Matrices { .. }, _, 3..=4) => 4,
+            (System::Matrices { .. } | System::VariableMatrices { .. }, ..) => 8,
+            (System::ConvectionDiffusion(_), 2, 2) => 2,
+            (System::ConvectionDiffusion(_), _, 2..) => 4,
+            (_, _, components) => components,
+        }
+    }
+}
+
 /// Makes the solver of a first-order system, which the table above asks a plan of that system for.
 fn first_order<S, F, const D: usize, const P: usize>(
     plan: &strengths::Plan,
@@ -100,7 +115,10 @@ where
     F::Medium: Send,
 {
     match system {
-        Some(system) => FirstOrder::<S, Sourced<F>, D, P>::maker(Sourced::new(system, plan)),
+        Some(system) => FirstOrder::<S, _, D, P>::maker(Sourced {
+            system,
+            source: SourceFormulas::of(plan),
+        }),
         None => unreachable!("the table asks a plan for its own system"),
     }
 }

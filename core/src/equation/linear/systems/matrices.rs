@@ -22,6 +22,22 @@ pub struct Matrices<S, const D: usize, const P: usize> {
     pub growth: S,
 }
 
+impl<const D: usize, const P: usize> Matrices<f64, D, P> {
+    /// The same in another scalar: every number rounded once.
+    pub fn rounded<S: Scalar>(&self) -> Matrices<S, D, P> {
+        let number = S::from_f64;
+        let square = |matrix: [[f64; P]; P]| matrix.map(|row| row.map(number));
+        Matrices {
+            flux: self.flux.map(square),
+            decay: square(self.decay),
+            symmetriser: square(self.symmetriser),
+            speed: number(self.speed),
+            damping: number(self.damping),
+            growth: number(self.growth),
+        }
+    }
+}
+
 /// `M u`.
 #[inline(always)]
 fn product<S: Scalar, N: Number<Scalar = S>, const P: usize>(

@@ -11,6 +11,7 @@ mod telegraph;
 #[cfg(test)]
 mod tests;
 mod transport;
+mod variable_matrices;
 
 pub use acoustics::Acoustics;
 pub use elastic_waves::ElasticWaves;
@@ -20,30 +21,6 @@ pub use maxwell::MaxwellTe;
 pub use shallow_water::{Location, ShallowWater};
 pub use telegraph::Telegraph;
 pub use transport::Transport;
+pub use variable_matrices::{MatrixField, VariableMatrices};
 
-/// What is 1 for the solver, in the units that a system's numbers are given in.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Units {
-    /// The unit of length: the mean spacing.
-    pub length: f64,
-    /// The unit of velocity: the fastest wave.
-    pub velocity: f64,
-}
-
-impl Units {
-    /// Numbers are in solver units already.
-    pub const ONE: Self = Self {
-        length: 1.0,
-        velocity: 1.0,
-    };
-
-    /// A factor of a space derivative in solver units.
-    fn flux(&self, factor: f64) -> f64 {
-        factor / self.velocity
-    }
-
-    /// A rate in solver units.
-    fn rate(&self, rate: f64) -> f64 {
-        rate * (self.length / self.velocity)
-    }
-}
+pub use crate::cloud::Units;

@@ -1,13 +1,14 @@
 //! Diffusivities and reactions that formulas give, in the place of those of the core.
 
-use motes_core::cloud::Place;
-use motes_core::equation::diffusion::{Condition, DiffusionProblem, NamedProblem};
+use motes_core::cloud::{Frame, Place};
+use motes_core::equation::diffusion::{
+    Arguments, Condition, Corners, DiffusionProblem, NamedProblem, Peaks,
+};
 use motes_core::scalar::Scalar;
 
-use crate::families::strengths::{BETWEEN, Frame, Plan, all_over, rounded, times};
-use crate::scenario::Extent;
+use crate::families::strengths::{BETWEEN, Plan, all_over, times};
 use crate::scenario::formula::Formula;
-use crate::scenario::linear::{Conductor, ConvectionDiffusion, Drive, Reaction};
+use crate::scenario::linear::{Conductor, ConvectionDiffusion, Drive, Reaction, WallCondition};
 
 /// A problem of the core, with formulas for what they say. What they compute is an `f64`, rounded once
 /// to the scalar.
@@ -19,36 +20,43 @@ pub struct RunProblem<'a, S, const D: usize, const P: usize> {
 
 /// The formulas of a problem.
 #[derive(Clone, Debug)]
-pub(super) struct Formulas {
+pub struct Formulas {
     frame: Frame,
     /// One a species; none where numbers give them.
-    diffusivity: Vec<Formula>,
-    /// The largest diffusivity of the domain at [`times`]; empty where none depends on time.
+    pub diffusivity: Vec<Formula>,
+    /// The largest diffusivity of the domain at some times of the run; empty where none depends on time.
     peaks: Vec<f64>,
     duration: f64,
     /// One a species; none where there is no reaction of this kind.
     pub rates: Vec<Formula>,
     /// A bound of the `|eigenvalues|` of `∂f/∂u`, in 1 / time.
-    stiffness: f64,
-    extent: Extent,
-    walls: Vec<DrivenWall>,
+    pub stiffness: f64,
+    /// Where the reaction is looked at.
+    pub corners: Corners,
+    /// The walls whose numbers are formulas.
+    pub walls: Vec<DrivenWall>,
 }
 
 /// A wall whose number is a formula of the time.
 #[derive(Clone, Debug)]
-struct DrivenWall {
-    axis: usize,
-    end: usize,
-    species: usize,
-    number: Formula,
-    /// Of the number.
-    unit: f64,
+pub struct DrivenWall {
+    /// The direction across it.
+    pub axis: usize,
+    /// 0: the lower one, 1: the upper one.
+    pub end: usize,
+    /// Of which unknown.
+    pub species: usize,
+    /// The number.
+    pub number: Formula,
+    /// Whether it is a flux, and no value.
+    pub is_flux: bool,
 }
 
 /// The variables of a formula before the unknowns: place and time.
 const BEFORE: usize = 4;
-/// The most unknowns.
-const MOST: usize = 4;
+
+/// What the bound of a reaction may be beyond that at the points where it was looked at.
+pub const MARGIN: f64 = BETWEEN;
 
 impl Formulas {
     /// Those of a problem of a plan.
@@ -61,13 +69,24 @@ impl Formulas {
             Reaction::Formula { rates } => rates.clone(),
             _ => Vec::new(),
         };
+        let (extent, frame) = (&plan.extent, plan.frame());
+        let half = |i: usize| match i < plan.dimension {
+            true => 0.5 * (extent.upper[i] - extent.lower[i]),
+            false => 0.0,
+        };
         let mut formulas = Self {
-            frame: plan.frame(),
+            frame,
             peaks: Vec::new(),
             duration: plan.duration,
             stiffness: 0.0,
-            extent: plan.extent.clone(),
-            walls: walls(plan, of),
+            corners: Corners {
+                dimension: plan.dimension,
+                species: rates.len(),
+                middle: frame.middle,
+                half: std::array::from_fn(half),
+                duration: plan.duration,
+            },
+            walls: walls(of),
             diffusivity,
             rates,
         };
@@ -104,64 +123,35 @@ impl Formulas {
             row.iter().map(|slope| slope.at(point).abs()).sum::<f64>()
         };
         let mut largest = 0.0f64;
-        self.over(size, |point| {
+        self.corners.each(size, |point| {
             let rows = slopes.iter().map(|slopes| row(slopes, point));
             largest = rows.fold(largest, f64::max);
         });
         BETWEEN * largest
     }
 
-    /// Calls a function at corners and middles of the domain and of unknowns up to a size.
-    fn over(&self, size: f64, mut of: impl FnMut(&[f64])) {
-        let (p, dimension) = (self.rates.len(), self.extent.lower.len());
-        let corners = 3usize.pow((dimension + 1 + p) as u32);
-        let mut point = vec![0.0; BEFORE + p];
-        for mut number in 0..corners {
-            let mut part = || {
-                let part = number % 3;
-                number /= 3;
-                part as f64 - 1.0
-            };
-            for (i, x) in point.iter_mut().enumerate().take(dimension) {
-                let half = 0.5 * (self.extent.upper[i] - self.extent.lower[i]);
-                *x = self.frame.middle[i] + part() * half;
-            }
-            point[BEFORE - 1] = 0.5 * (1.0 + part()) * self.duration;
-            for u in &mut point[BEFORE..] {
-                *u = part() * size;
-            }
-            of(&point);
-        }
-    }
-
     /// A bound of the rates for unknowns up to a size, per unit of time of the solver.
     fn largest(&self, size: f64) -> f64 {
         let mut largest = 0.0f64;
-        self.over(size, |point| {
+        self.corners.each(size, |point| {
             let rates = self.rates.iter().map(|rate| rate.at(point).abs());
             largest = rates.fold(largest, f64::max);
         });
-        BETWEEN * largest * self.frame.time()
+        MARGIN * largest * self.frame.units.time()
     }
 
-    /// By what factor the largest diffusivity may yet exceed that of a time.
-    fn headroom(&self, time: f64) -> f64 {
-        let Some(last) = self.peaks.len().checked_sub(1) else {
-            return 1.0;
-        };
-        let place = (time / self.duration * last as f64).clamp(0.0, last as f64);
-        let (before, after) = (place.floor() as usize, place.ceil() as usize);
-        let now = self.peaks[before].min(self.peaks[after]);
-        let later = self.peaks[before..].iter().copied().fold(0.0, f64::max);
-        match now > 0.0 {
-            true => BETWEEN * later / now,
-            false => BETWEEN,
+    /// The largest diffusivities.
+    pub fn peaks(&self) -> Peaks<'_> {
+        Peaks {
+            values: &self.peaks,
+            duration: self.duration,
+            margin: BETWEEN,
         }
     }
 }
 
 /// The walls of a problem whose numbers are formulas.
-fn walls(plan: &Plan, of: &ConvectionDiffusion) -> Vec<DrivenWall> {
+fn walls(of: &ConvectionDiffusion) -> Vec<DrivenWall> {
     let mut walls = Vec::new();
     for (axis, ends) in of.walls.iter().enumerate() {
         for (end, conditions) in ends.iter().enumerate() {
@@ -172,7 +162,7 @@ fn walls(plan: &Plan, of: &ConvectionDiffusion) -> Vec<DrivenWall> {
                         end,
                         species,
                         number: number.clone(),
-                        unit: plan.unit_of_flux(condition),
+                        is_flux: matches!(condition, WallCondition::Flux(_)),
                     });
                 }
             }
@@ -190,9 +180,8 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionProblem<S, D, P>
             return self.named.diffusivity(place);
         }
         let point = formulas.frame.point(place);
-        let unit = formulas.frame.units.length * formulas.frame.units.velocity;
         let of = |j: usize| formulas.diffusivity.get(j).map_or(0.0, |b| b.at(&point));
-        std::array::from_fn(|j| rounded(of(j) / unit))
+        std::array::from_fn(|j| formulas.frame.diffusivity(of(j)))
     }
     fn between(&self, ends: [S; 2], time: S) -> Option<[S; P]> {
         DiffusionProblem::<S, D, P>::between(&self.named, ends, time)
@@ -200,10 +189,10 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionProblem<S, D, P>
     fn headroom(&self, time: S) -> S {
         match self.formulas.peaks.is_empty() {
             true => DiffusionProblem::<S, D, P>::headroom(&self.named, time),
-            false => S::from_f64(
-                self.formulas
-                    .headroom(time.to_f64() * self.formulas.frame.time()),
-            ),
+            false => {
+                let now = self.formulas.frame.seconds(time);
+                S::from_f64(self.formulas.peaks().headroom(now))
+            }
         }
     }
     fn tensor(&self) -> Option<[[S; D]; D]> {
@@ -214,18 +203,18 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionProblem<S, D, P>
         if formulas.rates.is_empty() {
             return self.named.reaction(place, u);
         }
-        let mut point = [0.0; BEFORE + MOST];
+        let mut point: Arguments = [0.0; 8];
         point[..BEFORE].copy_from_slice(&formulas.frame.point(place));
         for (slot, u) in point[BEFORE..].iter_mut().zip(u) {
             *slot = u.to_f64();
         }
         let of = |j: usize| formulas.rates.get(j).map_or(0.0, |rate| rate.at(&point));
-        std::array::from_fn(|j| rounded(of(j) * formulas.frame.time()))
+        std::array::from_fn(|j| formulas.frame.rate(of(j)))
     }
     fn reaction_rate(&self) -> S {
         match self.formulas.rates.is_empty() {
             true => DiffusionProblem::<S, D, P>::reaction_rate(&self.named),
-            false => S::from_f64(self.formulas.stiffness * self.formulas.frame.time()),
+            false => self.formulas.frame.rate(self.formulas.stiffness),
         }
     }
     fn largest_reaction(&self, u: f64) -> f64 {
@@ -240,13 +229,14 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionProblem<S, D, P>
             if (wall.axis, wall.end) != (axis, end) {
                 continue;
             }
-            let now = time.to_f64() * self.formulas.frame.time();
-            let number = rounded(wall.number.at(&[0.0, 0.0, 0.0, now]) / wall.unit);
-            match conditions.get_mut(wall.species) {
-                Some(Condition::Value(value)) => *value = number,
-                Some(Condition::Flux(flux)) => *flux = number,
-                Some(Condition::Exchange { outside, .. }) => *outside = number,
-                Some(Condition::NoFlux) | None => {}
+            let frame = &self.formulas.frame;
+            let number = wall.number.at(&[0.0, 0.0, 0.0, frame.seconds(time)]);
+            let number = match wall.is_flux {
+                true => frame.velocity(number),
+                false => frame.number(number),
+            };
+            if let Some(condition) = conditions.get_mut(wall.species) {
+                *condition = condition.with(number);
             }
         }
         conditions

@@ -7,6 +7,6 @@ mod problem;
 mod solver;
 
 pub(super) use exact::{solution, start};
-pub use formulas::RunProblem;
-pub use problem::Media;
+pub use formulas::{DrivenWall, Formulas, MARGIN, RunProblem};
+pub use problem::{Media, form};
 pub(super) use solver::Diffusion;

@@ -18,7 +18,8 @@ pub struct Media<S> {
     factors: Vec<S>,
     /// By direction, end and species; empty where nothing changes in time.
     series: Vec<[Vec<Series<S>>; 2]>,
-    formulas: Formulas,
+    /// What formulas say.
+    pub formulas: Formulas,
 }
 
 /// Times and values.
@@ -39,7 +40,7 @@ impl Plan {
     }
 
     /// The unit of what passes through a wall.
-    pub(super) fn unit_of_flux(&self, condition: &WallCondition) -> f64 {
+    fn unit_of_flux(&self, condition: &WallCondition) -> f64 {
         match condition {
             WallCondition::Flux(_) => self.units.velocity,
             _ => 1.0,
@@ -244,8 +245,8 @@ fn within(series: &scenario::Series, duration: f64) -> Vec<(f64, f64)> {
     part
 }
 
-/// The form of the core.
-pub(in crate::families) fn form(of: &ConvectionDiffusion) -> (Form, Mean) {
+/// The form of the core, and its mean.
+pub fn form(of: &ConvectionDiffusion) -> (Form, Mean) {
     let form = match of.form {
         scenario::Form::Direct => Form::Direct,
         scenario::Form::Mixed => Form::Mixed,

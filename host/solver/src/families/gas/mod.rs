@@ -21,5 +21,5 @@ mod warnings;
 pub use exact::{ExactError, ExactSolution, FIELDS};
 pub use memory::{GasArrays, OptionsArrays, PlainArrays};
 pub use opening::{Incoming, OpenSides, OpenZone};
-pub use plan::Plan;
+pub use plan::{Plan, SMALLEST_OMEGA};
 pub(super) use simulation::start;

@@ -59,7 +59,7 @@ pub struct Plan {
 
 /// The smallest Ω that a run accepts. Next to a jump of density it falls to about 0.4; at 0
 /// the density would not answer to ε at all.
-const SMALLEST_OMEGA: f64 = 1.0 / 32.0;
+pub const SMALLEST_OMEGA: f64 = 1.0 / 32.0;
 
 impl Plan {
     /// The solver, in the scalar of the run.

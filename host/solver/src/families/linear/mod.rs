@@ -9,4 +9,4 @@ mod variable;
 
 pub(super) use exact::solution;
 pub(super) use solver::FirstOrder;
-pub(super) use source::Sourced;
+pub(super) use source::SourceFormulas;

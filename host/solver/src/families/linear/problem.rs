@@ -10,9 +10,7 @@ use crate::scenario::linear::System;
 
 impl Plan {
     /// The system of transport; `None` for another one, as of all below.
-    pub(in crate::families) fn transport<S: Scalar, const D: usize>(
-        &self,
-    ) -> Option<Transport<S, RunField<S, D>>> {
+    pub fn transport<S: Scalar, const D: usize>(&self) -> Option<Transport<S, RunField<S, D>>> {
         let System::Transport {
             velocity,
             decay,
@@ -112,9 +110,7 @@ impl Plan {
     }
 
     /// A system given by its matrices, with zeros beyond their size.
-    pub(in crate::families) fn matrices<S: Scalar, const D: usize, const P: usize>(
-        &self,
-    ) -> Option<Matrices<S, D, P>> {
+    pub fn matrices<S: Scalar, const D: usize, const P: usize>(&self) -> Option<Matrices<S, D, P>> {
         let System::Matrices {
             components,
             flux,

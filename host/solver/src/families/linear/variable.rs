@@ -1,25 +1,18 @@
 //! A system whose matrices are formulas of place and time.
 
-use motes_core::cloud::Place;
-use motes_core::equation::linear::FirstOrderSystem;
-use motes_core::scalar::{Number, Scalar};
+use motes_core::cloud::{Frame, Place};
+use motes_core::equation::linear::systems::{MatrixField, VariableMatrices};
+use motes_core::scalar::Scalar;
 
-use crate::families::strengths::{Frame, Plan, rounded};
+use crate::families::strengths::Plan;
 use crate::scenario::formula::Formula;
 use crate::scenario::linear::System;
 
-/// `∂u/∂t + Σ_i ∂_i(A^i(x,t) u) + A⁰(x,t) u = 0`. What the formulas compute is an `f64`, rounded once to
-/// the scalar.
-///
-/// The energy norm is that of `u` itself: the symmetriser of Remark 1 is a different one at every place.
-pub(in crate::families) struct VariableMatrices {
+/// `A^i(x,t)` and `A⁰(x,t)`. What the formulas compute is an `f64`, rounded once to the scalar.
+pub(in crate::families) struct MatrixFormulas {
     flux: Vec<Vec<Entry>>,
     decay: Vec<Entry>,
     frame: Frame,
-    /// The largest wave speed, in the solver's units.
-    speed: f64,
-    /// A bound of the `|eigenvalues|` of `A⁰`, in the solver's units.
-    damping: f64,
 }
 
 /// An entry of a matrix that is not 0 everywhere.
@@ -43,7 +36,9 @@ fn entries(matrix: &[Formula], size: usize) -> Vec<Entry> {
 
 impl Plan {
     /// A system whose matrices are formulas; `None` for another one.
-    pub(in crate::families) fn variable_matrices(&self) -> Option<VariableMatrices> {
+    pub(in crate::families) fn variable_matrices<S: Scalar>(
+        &self,
+    ) -> Option<VariableMatrices<S, MatrixFormulas>> {
         let System::VariableMatrices {
             components,
             flux,
@@ -53,50 +48,35 @@ impl Plan {
         else {
             return None;
         };
-        let waves = self.waves?;
+        let (speed, damping) = self.wave_bounds()?;
+        let flux = flux.iter().map(|matrix| entries(matrix, *components));
         Some(VariableMatrices {
-            flux: flux
-                .iter()
-                .map(|matrix| entries(matrix, *components))
-                .collect(),
-            decay: entries(decay, *components),
-            frame: self.frame(),
-            speed: waves.speed / self.units.velocity,
-            damping: waves.damping * self.unit_of_time(),
+            matrices: MatrixFormulas {
+                flux: flux.collect(),
+                decay: entries(decay, *components),
+                frame: self.frame(),
+            },
+            speed: S::from_f64(speed),
+            damping: S::from_f64(damping),
         })
+    }
+
+    /// Of matrices that are formulas, in solver units: the largest wave speed, and a bound of the
+    /// `|eigenvalues|` of `A⁰`; `None` for another system.
+    pub fn wave_bounds(&self) -> Option<(f64, f64)> {
+        let waves = self.waves?;
+        let speed = waves.speed / self.units.velocity;
+        Some((speed, waves.damping * self.unit_of_time()))
     }
 }
 
-impl<S: Scalar, const D: usize, const P: usize> FirstOrderSystem<S, D, P> for VariableMatrices {
-    type Medium = [[[S; P]; P]; D];
-    const IS_UNIFORM: bool = false;
-
-    fn medium(&self, place: &Place<S, D>) -> Self::Medium {
+impl<S: Scalar, const D: usize, const P: usize> MatrixField<S, D, P> for MatrixFormulas {
+    fn flux(&self, place: &Place<S, D>) -> [[[S; P]; P]; D] {
         let point = self.frame.point(place);
-        let mut medium = [[[S::ZERO; P]; P]; D];
-        for (matrix, entries) in medium.iter_mut().zip(&self.flux) {
+        let mut flux = [[[S::ZERO; P]; P]; D];
+        for (matrix, entries) in flux.iter_mut().zip(&self.flux) {
             for entry in entries {
-                let value = entry.value.at(&point) / self.frame.units.velocity;
-                matrix[entry.row][entry.column] = rounded(value);
-            }
-        }
-        medium
-    }
-    #[inline(always)]
-    fn flux<N: Number<Scalar = S>>(
-        &self,
-        medium: &[[[N; P]; P]; D],
-        n: &[N; D],
-        u: &[N; P],
-    ) -> [N; P] {
-        let mut flux = [N::zero(); P];
-        for i in 0..D {
-            for row in 0..P {
-                let mut along = N::zero();
-                for column in 0..P {
-                    along += medium[i][row][column] * u[column];
-                }
-                flux[row] += n[i] * along;
+                matrix[entry.row][entry.column] = self.frame.velocity(entry.value.at(&point));
             }
         }
         flux
@@ -108,15 +88,9 @@ impl<S: Scalar, const D: usize, const P: usize> FirstOrderSystem<S, D, P> for Va
         }
         let point = self.frame.point(place);
         for entry in &self.decay {
-            let rate = rounded::<S>(entry.value.at(&point) * self.frame.time());
+            let rate = self.frame.rate::<S>(entry.value.at(&point));
             rates[entry.row] += rate * u[entry.column];
         }
         rates
-    }
-    fn speed(&self, _: &Self::Medium) -> S {
-        S::from_f64(self.speed)
-    }
-    fn damping(&self) -> S {
-        S::from_f64(self.damping)
     }
 }

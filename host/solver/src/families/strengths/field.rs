@@ -1,12 +1,12 @@
 //! Velocity fields in solver units.
 
-use motes_core::equation::linear::systems::Units;
+use motes_core::cloud::{Frame, Units};
 use motes_core::equation::linear::{
     Compression, NamedField, Place, Rotation, Shear, Uniform, VelocityField, Wave,
 };
 use motes_core::scalar::Scalar;
 
-use super::frame::{BETWEEN, Frame, all_over, rounded, times};
+use super::frame::{BETWEEN, all_over, frame, times};
 use crate::scenario::Extent;
 use crate::scenario::linear::{Field, FormulaField};
 
@@ -49,9 +49,14 @@ pub struct ScaledField {
 }
 
 impl ScaledField {
-    /// A slope in solver units.
-    fn slope<S: Scalar>(&self, slope: f64) -> S {
-        rounded(slope * self.frame.time())
+    /// Its velocities and their slopes, in the scenario's units.
+    pub fn formulas(&self) -> &FormulaField {
+        &self.field
+    }
+
+    /// The way to their places.
+    pub fn frame(&self) -> Frame {
+        self.frame
     }
 }
 
@@ -59,17 +64,17 @@ impl<S: Scalar, const D: usize> VelocityField<S, D> for ScaledField {
     fn velocity(&self, place: &Place<S, D>) -> [S; D] {
         let point = self.frame.point(place);
         let of = |i: usize| self.field.velocity.get(i).map_or(0.0, |of| of.at(&point));
-        std::array::from_fn(|i| rounded(of(i) / self.frame.units.velocity))
+        std::array::from_fn(|i| self.frame.velocity(of(i)))
     }
     fn divergence(&self, place: &Place<S, D>) -> S {
         let point = self.frame.point(place);
-        self.slope(divergence(&self.field, &point))
+        self.frame.rate(divergence(&self.field, &point))
     }
     fn gradient(&self) -> S {
-        self.slope(self.steepest.gradient)
+        self.frame.rate(self.steepest.gradient)
     }
     fn convergence(&self) -> S {
-        self.slope(self.steepest.convergence)
+        self.frame.rate(self.steepest.convergence)
     }
 }
 
@@ -158,7 +163,7 @@ impl PlannedField {
         };
         RunField::Formula(Box::new(ScaledField {
             field: field.clone(),
-            frame: Frame::new(&self.extent, self.units),
+            frame: frame(&self.extent, self.units),
             steepest: self.steepest,
         }))
     }

@@ -1,57 +1,21 @@
-//! Where the solver's numbers are in the scenario's units: what formulas are given.
+//! What formulas are given, and where they are looked at before a run.
 
-use motes_core::cloud::Place;
-use motes_core::equation::linear::systems::Units;
-use motes_core::scalar::Scalar;
+use motes_core::cloud::{Frame, Units};
 
 use crate::scenario::Extent;
 
-/// The way from a place of the solver to a point of a formula: a place and a time in the scenario's units.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame {
-    /// The middle of the domain, 0 for the solver; 0 beyond the dimension.
-    pub middle: [f64; 3],
-    /// What the solver units are.
-    pub units: Units,
-}
-
-impl Frame {
-    /// That of a domain.
-    pub fn new(extent: &Extent, units: Units) -> Self {
-        let middle = |i: usize| {
-            if i < extent.lower.len() {
-                extent.middle(i)
-            } else {
-                0.0
-            }
-        };
-        Self {
-            middle: std::array::from_fn(middle),
-            units,
+/// The way from places of the solver to points of formulas: a place and a time in the scenario's units.
+pub(super) fn frame(extent: &Extent, units: Units) -> Frame {
+    let middle = |i: usize| {
+        if i < extent.lower.len() {
+            extent.middle(i)
+        } else {
+            0.0
         }
-    }
-
-    /// The unit of time in the scenario's units.
-    pub fn time(&self) -> f64 {
-        self.units.length / self.units.velocity
-    }
-
-    /// A point as formulas take it.
-    pub fn point<S: Scalar, const D: usize>(&self, place: &Place<S, D>) -> [f64; 4] {
-        let x = |i: usize| match place.position.get(i) {
-            Some(x) => self.middle[i] + x.to_f64() * self.units.length,
-            None => 0.0,
-        };
-        [x(0), x(1), x(2), place.time.to_f64() * self.time()]
-    }
-}
-
-/// The value of a formula in the scalar of a run. What is no number stays none in floats; a format that
-/// has none takes its largest number, which no proof lets pass.
-pub(in crate::families) fn rounded<S: Scalar>(value: f64) -> S {
-    match value.is_nan() && S::WRAPS {
-        true => S::LARGEST,
-        false => S::from_f64(value),
+    };
+    Frame {
+        middle: std::array::from_fn(middle),
+        units,
     }
 }
 

@@ -26,8 +26,7 @@ mod waves;
 
 pub(super) use balance::Source;
 pub use field::{RunField, ScaledField};
-pub use frame::Frame;
-pub(super) use frame::{BETWEEN, all_over, rounded, times};
+pub(super) use frame::{BETWEEN, all_over, times};
 pub(super) use geometry::{flow, length, periods, spread, wave_vector};
 pub(super) use memory::CloudArrays;
 pub use plan::Plan;

@@ -3,6 +3,7 @@
 //! The mean spacing and the fastest of waves, flows and particles are 1, and the middle of the
 //! domain is 0. Values stay what they are.
 
+use motes_core::cloud::Frame;
 use motes_core::cutoff::Named;
 use motes_core::domain::{Axis, Domain, Side};
 use motes_core::equation::linear::Particle;
@@ -14,7 +15,7 @@ use super::budget::Budget;
 use super::diffusivity;
 use super::doubts::doubts;
 use super::field::{PlannedField, RunField};
-use super::frame::Frame;
+use super::frame::frame;
 use super::jumps;
 use super::layers;
 use super::particles::{Particles, particle};
@@ -206,7 +207,7 @@ impl Plan {
 
     /// The way from places of the solver to those of the scenario's formulas.
     pub fn frame(&self) -> Frame {
-        Frame::new(&self.extent, self.units)
+        frame(&self.extent, self.units)
     }
 
     /// ε in the scenario's unit of length.

@@ -446,18 +446,43 @@ fn an_export_of_a_line_carries_its_equations_motion_and_method() {
     }
 }
 
+/// What no `LINE` holds is a module that starts the run itself.
 #[test]
-fn an_export_that_is_no_line_says_what_is() {
+fn an_export_that_is_no_line_is_a_whole_run() {
     let folder = tempfile::tempdir().unwrap();
-    for name in ["acoustics2d", "maxwell-te", "transport-mesh"] {
+    for (name, part) in [
+        (
+            "acoustics2d",
+            "LinearDynamics<S, CutOff, Acoustics<S>, Still, 2, 3>",
+        ),
+        ("maxwell-te", "MaxwellTe::new("),
+        ("transport-rotation", "Transport<S, Rotation<S, 2>>"),
+        (
+            "manufactured",
+            "impl<S: Scalar> MatrixField<S, 2, 4> for Coefficients {",
+        ),
+    ] {
+        let text = stdout(folder.path(), &["export", name]);
+        assert!(text.contains(part), "{part}\n{text}");
+        assert!(text.contains("pub fn start<S: Scalar>"), "{text}");
+    }
+}
+
+#[test]
+fn an_export_that_would_be_another_run_is_refused_with_the_cure() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, reason, cure) in [
+        ("wind-tunnel", "goes out through its sides", "OpenGas"),
+        ("taylor-green", "background is above 0", "background = 0"),
+    ] {
         let errors = failure(folder.path(), &["export", name], 2);
         let errors: Vec<&str> = errors.split_whitespace().collect();
-        let errors = errors.join(" ");
-        assert!(
-            errors.contains(&format!("does not write `{name}`"))
-                && errors.contains("acoustics, telegraph and convection-diffusion in dimension 1"),
-            "{errors}"
-        );
+        // Long lines are broken with a bar in front.
+        let errors = errors.join(" ").replace("│ ", "");
+        let told = format!("does not write `{name}`: ");
+        for part in [&told, reason, cure] {
+            assert!(errors.contains(part), "{part}\n{errors}");
+        }
     }
 }
 

@@ -235,23 +235,25 @@ fn an_export_of_a_slab_carries_its_problem_and_its_series() {
     }
 }
 
+/// What no `SLAB` holds is a module that starts the run itself.
 #[test]
-fn an_export_that_is_no_slab_says_why() {
+fn an_export_that_is_no_slab_is_a_whole_run() {
     let folder = tempfile::tempdir().unwrap();
     let mixed = ["heat1d", "--set", "system.form=mixed"];
     let stepped = ["wall-day", "--set", "time.method=rk4"];
-    for (scenario, reason) in [
-        (&["heat2d"][..], "in dimension 2"),
-        (&["decay-chain"], "3 species"),
-        (&mixed, "its form is mixed"),
-        (&stepped, "its method is rk4"),
+    let driven = ["wall-day", "--set", "wall.1.outside=\"20 + sin(t)\""];
+    for (scenario, part) in [
+        (&["heat2d"][..], "pub fn start<S: Scalar>"),
+        (&["decay-chain"], "NamedProblem<'static, f64, 1, 4>"),
+        (&mixed, "form: Form::Mixed,"),
+        (&stepped, "scheme: Scheme::RungeKutta(RK4),"),
+        (
+            &driven,
+            "conditions[0].with(FRAME.number(20.0 + libm::sin(t)));",
+        ),
     ] {
-        let errors = failure(folder.path(), &[&["export"], scenario].concat(), 2);
-        let errors: Vec<&str> = errors.split_whitespace().collect();
-        // Long lines are broken with a bar in front.
-        let errors = errors.join(" ").replace("│ ", "");
-        let told = format!("does not write `{}`: ", scenario[0]);
-        assert!(errors.contains(&told), "{errors}");
-        assert!(errors.contains(reason), "{reason}\n{errors}");
+        let text = stdout(folder.path(), &[&["export"], scenario].concat());
+        assert!(text.contains(part), "{part}\n{text}");
+        assert!(text.contains("pub struct Memory<S: Scalar>"), "{text}");
     }
 }

@@ -4,86 +4,42 @@
 use std::fmt::Write;
 
 use motes_core::equation::gas::Width;
+use motes_core::neighbours::cell_bound;
 
-use super::one_line;
+use super::module::Module;
+use super::viscosity::viscosity;
 use crate::families::gas::{ExactSolution, Plan};
-use crate::scenario::{Extent, Scenario, Viscosity, ViscosityKind};
-
-/// A scenario that a device cannot be given as a tube.
-#[derive(Debug, thiserror::Error, miette::Diagnostic)]
-#[error("`{name}` is no tube of one ideal gas that `motes export` could write")]
-#[diagnostic(help(
-    "it needs dimension = 1, one ideal-gas, boxes filled with equal masses, and none of inflow \
-     and outflow sides, viscosity.switch, viscosity.balsara, kind = \"limited\", [gradient], [conduction], [diffusion], [force], \
-     [weights] and time.energy"
-))]
-pub struct NoTube {
-    name: String,
-}
+use crate::scenario::{Extent, Scenario};
 
 /// Points of the exact profile between two of its jumps.
 const POINTS: u32 = 60;
 
-/// The source of a module with a `TUBE`, the capacities it needs, and its exact density.
-///
-/// Numbers are written with the digits that read back to the same bits.
-///
-/// `command`: what made it, for its first line.
-///
-/// # Errors
-/// A scenario that is no tube: see [`Plan::tube`].
+/// The source of a module with a `TUBE`, the capacities it needs, and its exact density; `None` where
+/// the scenario is no tube of one ideal gas: see [`Plan::tube`].
 pub(super) fn tube(
+    mut module: Module,
     scenario: &Scenario,
     plan: &Plan,
     exact: Option<&ExactSolution>,
-    command: &str,
-) -> Result<String, NoTube> {
-    let tube = plan.tube().ok_or_else(|| NoTube {
-        name: scenario.name.clone(),
-    })?;
+) -> Option<String> {
+    let tube = plan.tube()?;
     let particles = plan.particles.len();
     let width = match plan.width {
         Width::Adaptive { eta, .. } => format!("adaptive({eta:?})"),
         Width::Constant { epsilon } => format!("Constant {{ epsilon: {epsilon:?} }}"),
     };
-    let (viscosity, viscosity_types) = viscosity(&plan.viscosity);
+    module.import("motes_core::domain", ["Side"]);
+    module.import("motes_core::equation::gas", ["Stretch", "Tube", "Width"]);
+    module.cloud(&scenario.name, particles);
+    module.cells(u64::from(cell_bound(particles as u32)) + 1);
+    module.cut_off(plan.cut_off);
+    viscosity(&mut module, &plan.viscosity);
     let mut text = format!(
-        "//! Made by `{command}`, not by hand.
-//!
-//! Before a device runs it in a scalar, `motes run` tells whether the scalar can hold it.
-
-use motes_core::cutoff::Named as CutOff;
-use motes_core::domain::Side;
-use motes_core::equation::gas::viscosity::{viscosity_types};
-use motes_core::equation::gas::{{Stretch, Tube, Width}};
-use motes_core::scalar::Scalar;
-
-/// The name of the scenario.
-pub const NAME: &str = {name:?};
-
-/// Number of particles.
-pub const PARTICLES: usize = {particles};
-
-/// Cells they can take, and one.
-pub const CELLS: usize = {cells};
-
-/// The cut-off.
-pub const CUT_OFF: CutOff = CutOff::{cut_off:?};
-
-/// The pseudo-viscosity.
-pub fn viscosity<S: Scalar>() -> Viscosity<S> {{
-    {viscosity}
-}}
-
-/// The tube, in solver units.
+        "/// The tube, in solver units.
 pub const TUBE: Tube<'static> = Tube {{
     half_length: {half:?},
     sides: [Side::{low:?}, Side::{high:?}],
     stretches: &[\n",
-        name = scenario.name,
-        cells = motes_core::neighbours::cell_bound(particles as u32) + 1,
-        cut_off = plan.cut_off,
-        command = one_line(command),
         half = tube.half_length,
         low = tube.sides[0],
         high = tube.sides[1],
@@ -113,33 +69,8 @@ pub const TUBE: Tube<'static> = Tube {{
         tube.gamma, tube.courant, tube.end
     );
     profile(&mut text, scenario, plan, exact);
-    Ok(text)
-}
-
-/// The constructor of the viscosity, and the types that it needs.
-fn viscosity(viscosity: &Viscosity) -> (String, &'static str) {
-    let coefficients = format!(
-        "Coefficients {{
-        alpha: S::from_f64({:?}),
-        beta: S::from_f64({:?}),
-    }}",
-        viscosity.alpha, viscosity.beta
-    );
-    let kind = match viscosity.kind {
-        ViscosityKind::Pairwise => "Pairwise",
-        ViscosityKind::GingoldMonaghan => "GingoldMonaghan",
-        ViscosityKind::VonNeumann => "VonNeumann",
-        // `Plan::new` refuses `Limited`.
-        ViscosityKind::None | ViscosityKind::Limited => {
-            return ("Viscosity::Inviscid".to_owned(), "Named as Viscosity");
-        }
-    };
-    let types = match kind {
-        "Pairwise" => "{Coefficients, Named as Viscosity, Pairwise}",
-        "VonNeumann" => "{Coefficients, Named as Viscosity, VonNeumann}",
-        _ => "{Coefficients, GingoldMonaghan, Named as Viscosity}",
-    };
-    (format!("Viscosity::{kind}({kind}({coefficients}))"), types)
+    module.item(text);
+    Some(module.text())
 }
 
 /// The exact density at the end, between whose points it is a straight line; a jump is two

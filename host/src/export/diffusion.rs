@@ -3,9 +3,10 @@
 use motes_core::equation::diffusion::Form;
 use motes_core::neighbours::cell_bound;
 
+use super::laws::{is_written, written};
 use super::module::{Module, number};
 use super::motion;
-use super::problem::{is_written, numbers, room, written};
+use super::problem::{numbers, room};
 use super::run::{Start, domain};
 use super::strengths::{cloud, runge_kutta};
 use crate::families::diffusion::form;

@@ -5,15 +5,17 @@
 //! |---|---|
 //! | `module` | a module of Rust source, put together of its parts |
 //! | `expressions` | formulas |
-//! | `motion`, `viscosity`, `system`, `problem` | parts of an equation |
+//! | `motion`, `viscosity`, `system`, `coefficients`, `problem`, `laws` | parts of an equation |
 //! | `run`, `strengths` | what every run has, and every cloud of strengths |
 //! | `first_order`, `diffusion`, `gas` | a whole run of each family |
 //! | `line`, `slab`, `tube` | what the core sets up from numbers alone |
 
+mod coefficients;
 mod diffusion;
 mod expressions;
 mod first_order;
 mod gas;
+mod laws;
 mod line;
 mod module;
 mod motion;

@@ -7,9 +7,10 @@ use motes_core::domain::Side;
 use motes_core::equation::diffusion::{Form, Slab};
 use motes_core::neighbours::{Grid, cell_bound};
 
+use super::laws::is_written;
 use super::module::Module;
 use super::motion;
-use super::problem::{is_written, numbers, room};
+use super::problem::{numbers, room};
 use crate::families::diffusion::form;
 use crate::families::strengths::{Plan, RunField};
 use crate::scenario::linear::{ConvectionDiffusion, Method};

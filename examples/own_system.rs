@@ -1,5 +1,5 @@
 //! A system of your own on particles that move: waves with a mass (Klein-Gordon), against the exact
-//! wave. `docs/linear.md` explains each part. `cargo run --release --example own_system`
+//! wave. `docs/own-system.md` explains each part. `cargo run --release --example own_system`
 use std::f64::consts::TAU;
 
 use motes_core::cloud::{Particle, Place, Wave};

@@ -135,6 +135,26 @@ fn numbers_of_the_documents_are_what_the_commands_beside_them_print() {
     assert!(made >= 8, "{made} checks");
 }
 
+/// Every block of Rust of the pages that start from nothing stands in a program that is compiled.
+#[test]
+fn code_of_the_pages_stands_in_the_examples() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let read = |file: &str| std::fs::read_to_string(root.join(file)).unwrap();
+    let examples = ["own_system", "own_field", "own_problem", "device"];
+    let examples = examples.map(|name| read(&format!("examples/{name}.rs")));
+    let mut seen = 0;
+    for page in ["docs/own-system.md", "docs/own-device.md"] {
+        let text = read(page);
+        for block in text.split("```rust\n").skip(1) {
+            let (code, _) = block.split_once("```").expect("a block has an end");
+            let stands = examples.iter().any(|example| example.contains(code));
+            assert!(stands, "{page}: no example has\n{code}");
+            seen += 1;
+        }
+    }
+    assert_eq!(seen, 12);
+}
+
 /// The instructions that `docs/numbers.md` tells of are those of the table that `./check.sh devices` keeps.
 #[test]
 fn instructions_in_the_numbers_are_those_of_the_table() {

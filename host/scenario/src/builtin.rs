@@ -32,6 +32,7 @@ built_in! {
     "noh1d" 0.1
     "woodward-colella" 5.0
     "shu-osher" 8.0
+    "kidder" 0.4
     "sound-wave" 0.1
     "two-gas-sod" 0.1
     "water-air" 0.6
@@ -41,6 +42,7 @@ built_in! {
     "yee-vortex" 3.0
     "gresho" 40.0
     "kelvin-helmholtz" 20.0
+    "riemann2d" 2.0
     "taylor-green" 20.0
     "square" 0.5
     "couette" 1.0

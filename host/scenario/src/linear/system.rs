@@ -6,7 +6,7 @@ use super::{ConvectionDiffusion, Field, Series, diffusion, field, matrices};
 use crate::Domain;
 use crate::bound::{GAMMA, NOT_NEGATIVE, POSITIVE};
 use crate::define::Definitions;
-use crate::entry::ANY;
+use crate::entry::{ANY, Entry};
 use crate::error::Fault;
 use crate::files::Files;
 use crate::geometry::AXES;
@@ -290,6 +290,9 @@ pub(super) fn system(
         let reason = format!("the walls of {name} are mirrors, and nothing else");
         return Err(wall.does_not_fit(reason, "take [[wall]] out: it is of convection-diffusion"));
     }
+    if !matches!(name, "matrices" | DIFFUSION) {
+        constants(&section, name, keys)?;
+    }
     let number = |key, bound| section.number(key, bound);
     Ok(match name {
         "transport" => System::Transport {
@@ -335,6 +338,26 @@ pub(super) fn system(
         )?)),
         _ => matrices::matrices(&section, dimension, definitions)?,
     })
+}
+
+/// That what a system by name takes is a number: its equations, its symmetriser and its walls are those of a medium that is
+/// the same everywhere.
+///
+/// # Errors
+/// A formula in any key but the source and the velocity of transport.
+fn constants(section: &Section<'_>, name: &str, keys: &[&str]) -> Result<(), Fault> {
+    let is_constant = |key: &&&str| **key != "source" && (name, **key) != ("transport", "velocity");
+    let entries = keys
+        .iter()
+        .filter(is_constant)
+        .filter_map(|key| section.optional(key));
+    let Some(entry) = entries.into_iter().find(Entry::is_text) else {
+        return Ok(());
+    };
+    let reason = format!("it is the same everywhere in a system of kind {name}");
+    let cure = "give a number; kind = \"matrices\" takes formulas as entries of flux and decay, as in \
+                flux = [[[0, \"c(x)\"], [\"c(x)\", 0]]] (docs/formulas.md)";
+    Err(entry.does_not_fit(reason, cure))
 }
 
 fn elastic_waves(section: &Section<'_>) -> Result<System, Fault> {

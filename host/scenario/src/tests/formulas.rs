@@ -342,3 +342,27 @@ fn a_wall_may_be_driven_by_a_formula_of_time_alone() {
         &["wall.0.value = \"x + t\"", "a formula of t alone"],
     );
 }
+
+/// What varies from place to place has a kind of its own, and the error names it; a source may be a formula.
+#[test]
+fn a_system_by_name_refuses_formulas_in_place_of_its_constants() {
+    for (name, change) in [
+        ("acoustics1d", "system.sound-speed=\"1 + 0.1*x\""),
+        ("telegraph", "system.resistance=\"x\""),
+        ("transport-rotation", "system.decay=\"0.1*x\""),
+        ("shallow-water", "system.depth=\"2 - x\""),
+    ] {
+        let error = AnyScenario::read(Source::from(name), &[change.to_owned()]).unwrap_err();
+        let key = change.split('=').next().unwrap();
+        let words = [
+            key,
+            "the same everywhere",
+            "kind = \"matrices\" takes formulas",
+        ];
+        assert_report_holds(&error, &words);
+    }
+    let system = "kind = \"transport\"\nvelocity = [\"1 + 0.1*sin(2*pi*x)\"]\nsource = [\"x*t\"]";
+    let text = HEAT.replace("kind = \"convection-diffusion\"\ndiffusivity = 0.1", system);
+    assert!(text.contains(system));
+    read(&text, &[]).unwrap();
+}

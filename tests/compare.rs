@@ -83,7 +83,7 @@ fn a_row_is_the_run_of_that_format_and_its_difference_from_the_finest() {
     assert_eq!(picture.matches("<circle").count(), 5);
     let text = std::fs::read_to_string(out.join("compare.md")).unwrap();
     for part in [
-        "`motes compare sod --scalars f32,f64 -n 225`",
+        "\n    motes compare sod --scalars f32,f64 -n 225\n",
         "| f32 | float |",
         "(compare.svg)",
     ] {

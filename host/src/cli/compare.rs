@@ -56,7 +56,7 @@ pub(super) fn compare(arguments: &CompareArguments) -> Result<(), Failure> {
     let name = format!("compare-{}", scenario.name());
     let out = out.unwrap_or_else(|| Path::new("out").join(name));
     // Now rather than after the runs: a folder that cannot be written to costs no time.
-    let mut folder = claimed(&out, (&origin(&arguments.scenario), &scenario), &RESULTS)?;
+    let folder = claimed(&out, (&origin(&arguments.scenario), &scenario), &RESULTS)?;
     let interrupt = Interrupt::listen();
     let mut engines = engines(arguments.threads, scalars.len(), &plan, &interrupt)?;
 
@@ -76,17 +76,9 @@ pub(super) fn compare(arguments: &CompareArguments) -> Result<(), Failure> {
     });
     runs.bar.finish_and_clear();
     let mut comparison = compared(&scenario, &field, scalars.into_iter().zip(results))?;
-
-    comparison
-        .warnings
-        .extend(formats::note(arguments.bits.as_deref()));
-    let write = |result: Result<(), io::WriteError>| result.map_err(|e| Failure::Run(e.into()));
-    let drawn = picture(&comparison).map_err(|error| Failure::Run(Report::new(error)))?;
-    let place = folder.place(TABLE);
-    write(place.and_then(|place| io::write_formats(&place, &comparison)))?;
-    let report = markdown(&comparison, &formats::command(arguments), PICTURE);
-    write(folder.write(REPORT, &report))?;
-    write(folder.write(PICTURE, &drawn))?;
+    let note = formats::note(arguments.bits.as_deref());
+    comparison.warnings.extend(note);
+    written(&comparison, folder, &formats::command(arguments))?;
     if arguments.json {
         let json = serde_json::to_string(&comparison)
             .into_diagnostic()
@@ -94,6 +86,21 @@ pub(super) fn compare(arguments: &CompareArguments) -> Result<(), Failure> {
         return super::print(&format!("{json}\n"));
     }
     super::print(&format!("{comparison}\nresults    {}\n", out.display()))
+}
+
+/// Writes a comparison that this command made.
+fn written(
+    comparison: &Comparison,
+    mut folder: io::RunFolder,
+    command: &str,
+) -> Result<(), Failure> {
+    let write = |result: Result<(), io::WriteError>| result.map_err(|e| Failure::Run(e.into()));
+    // Before the first file: a picture that cannot be drawn leaves nothing half done.
+    let drawn = picture(comparison).map_err(|error| Failure::Run(Report::new(error)))?;
+    let place = folder.place(TABLE);
+    write(place.and_then(|place| io::write_formats(&place, comparison)))?;
+    write(folder.write(REPORT, &markdown(comparison, command, PICTURE)))?;
+    write(folder.write(PICTURE, &drawn))
 }
 
 /// The field that the first table is of.

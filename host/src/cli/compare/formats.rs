@@ -89,13 +89,39 @@ pub(super) fn command(arguments: &CompareArguments) -> String {
         overrides,
         ..
     } = arguments;
-    let mut words = vec![format!("motes compare {scenario}")];
+    let mut words = vec![format!("motes compare {}", word(scenario))];
     if !scalars.is_empty() {
         words.push(format!("--scalars {}", scalars.join(",")));
     }
     words.extend(bits.iter().map(|bits| format!("--bits {bits}")));
     words.extend(field.iter().map(|field| format!("--field {field}")));
     words.extend(particles.iter().map(|count| format!("-n {count}")));
-    words.extend(overrides.iter().map(|change| format!("--set {change}")));
+    let changes = overrides.iter();
+    words.extend(changes.map(|change| format!("--set {}", word(change))));
     words.join(" ")
+}
+
+/// A word as a shell takes it, on one line.
+fn word(text: &str) -> String {
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "._-=,/+".contains(c);
+    match text.chars().all(is_plain) {
+        true => text,
+        false => format!("'{}'", text.replace('\'', "'\\''")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::word;
+
+    #[test]
+    fn a_word_is_one_for_a_shell_and_stays_on_its_line() {
+        assert_eq!(word("time.end=0.1"), "time.end=0.1");
+        assert_eq!(
+            word("motion={ kind = \"rest\" }"),
+            "'motion={ kind = \"rest\" }'"
+        );
+        assert_eq!(word("it's\n| a"), "'it'\\''s | a'");
+    }
 }

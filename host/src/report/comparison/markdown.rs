@@ -3,9 +3,9 @@
 use super::parts::{conclusions, differences, drifts, formats, refusals, title};
 use crate::precision::Comparison;
 
-/// Its tables, for a report; `command` is what made it, `picture` the name of the file beside it.
+/// Its tables, for a report; `command`, one line, is what made it, `picture` the name of the file beside it.
 pub fn markdown(comparison: &Comparison, command: &str, picture: &str) -> String {
-    let mut text = format!("# {}\n\n`{command}`\n\n", title(comparison));
+    let mut text = format!("# {}\n\n    {command}\n\n", title(comparison));
     text += &formats(comparison).markdown();
     text += "\nSteps a second are those of runs side by side. Bits kept: the binary digits in which a field \
              agrees with the reference, -log2 of the relative L2 difference.\n";

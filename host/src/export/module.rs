@@ -96,8 +96,7 @@ impl Module {
         ));
     }
 
-    /// Adds what every scenario has: its name, how many particles it has, and its cut-off. `cells`: those
-    /// that it takes, and one.
+    /// Adds the name of the scenario, and how many particles it has.
     pub fn cloud(&mut self, name: &str, particles: usize) {
         self.constant(
             "The name of the scenario.",

@@ -40,7 +40,7 @@ const SOLVER: [&str; 10] = [
 ];
 
 /// The layers of the program, lowest first; all of them lie above the solver.
-const HOST: [&str; 13] = [
+const HOST: [&str; 14] = [
     "scalars",
     "run",
     "experiment",
@@ -49,6 +49,7 @@ const HOST: [&str; 13] = [
     "export",
     "io",
     "snapshots",
+    "checkpoints",
     "benchmark",
     "report",
     "suite",
@@ -225,8 +226,10 @@ const KNOWN: [(&str, &str, &[&str]); 13] = [
             "compare/formats.rs",
             "converge.rs",
             "export.rs",
+            "inspect.rs",
             "list.rs",
             "mod.rs",
+            "new.rs",
             "run.rs",
             "suite.rs",
         ],

@@ -34,7 +34,7 @@ const SCENARIOS: [(&str, &[&str], &[&str]); 20] = [
     // A free cloud, a switch of the viscosity and conduction.
     (
         "noh1d",
-        &["f64", "q12.19"],
+        &["f64", "q31.32"],
         &[
             "resolution.particles=60",
             "viscosity.switch={minimum = 0.1, decay = 0.1}",

@@ -6,6 +6,9 @@ use std::io::{BufWriter, Write};
 use std::ops::Range;
 use std::path::Path;
 
+use base64::engine::general_purpose::STANDARD;
+use base64::write::EncoderWriter;
+
 use super::table::{WriteError, whole};
 
 /// Particles at one time: fields by name, each with one value for each particle.
@@ -160,7 +163,9 @@ impl Values<'_> {
     }
 }
 
-/// Writes a `.vtu` file: values appended as they are, every bit kept; the time as `TimeValue`.
+/// Writes a `.vtu` file: values as base64, every bit kept; the time as `TimeValue`.
+///
+/// Not appended as they are: meshio finds the wrong array at some offsets of such a file.
 ///
 /// # Errors
 /// A field that is not as long as the positions, or two of one name; a file that cannot be made.
@@ -183,28 +188,27 @@ fn write_grid(file: &mut impl Write, cloud: &Cloud<'_>) -> std::io::Result<()> {
          format=\"ascii\">{time:?}</DataArray></FieldData>\n\
          <Piece NumberOfPoints=\"{n}\" NumberOfCells=\"{n}\">\n"
     )?;
-    let mut offset = 0;
     for part in Part::ALL {
         writeln!(file, "<{}>", part.tag())?;
         for array in arrays.iter().filter(|array| array.part == part) {
-            writeln!(
-                file,
-                "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" \
-                 format=\"appended\" offset=\"{offset}\"/>",
-                array.values.kind(),
-                escaped(array.name),
-                array.components
-            )?;
-            offset += 8 + array.values.bytes();
+            let (kind, name) = (array.values.kind(), escaped(array.name));
+            write!(file, "<DataArray type=\"{kind}\" Name=\"{name}\"")?;
+            // meshio makes columns of numbers where they are said to have one component.
+            if array.components > 1 {
+                write!(file, " NumberOfComponents=\"{}\"", array.components)?;
+            }
+            file.write_all(b" format=\"binary\">")?;
+            // How many bytes follow, and the bytes, in one.
+            let mut encoder = EncoderWriter::new(&mut *file, &STANDARD);
+            encoder.write_all(&array.values.bytes().to_le_bytes())?;
+            array.values.write(&mut encoder)?;
+            encoder.finish()?;
+            drop(encoder);
+            file.write_all(b"</DataArray>\n")?;
         }
         writeln!(file, "</{}>", part.tag())?;
     }
-    file.write_all(b"</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_")?;
-    for array in &arrays {
-        file.write_all(&array.values.bytes().to_le_bytes())?;
-        array.values.write(file)?;
-    }
-    file.write_all(b"\n</AppendedData>\n</VTKFile>\n")?;
+    file.write_all(b"</Piece>\n</UnstructuredGrid>\n</VTKFile>\n")?;
     file.flush()
 }
 
@@ -223,6 +227,7 @@ fn invalid(text: String) -> std::io::Error {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use base64::Engine;
 
     /// Numbers that a conversion to text or to 32 bits would change.
     const AWKWARD: [f64; 5] = [0.1, -0.0, 5e-324, f64::MAX, f64::NAN];
@@ -295,27 +300,30 @@ mod tests {
         values: Vec<u8>,
     }
 
-    /// The arrays of a file, found by their offsets alone.
+    /// The arrays of a file.
     fn read(bytes: &[u8]) -> Vec<Read> {
-        let mark = b"<AppendedData encoding=\"raw\">\n_";
-        let start = bytes.windows(mark.len()).position(|part| part == mark);
-        let start = start.unwrap();
-        let (head, appended) = (&bytes[..start], &bytes[start + mark.len()..]);
-        let head = std::str::from_utf8(head).unwrap();
-        let appended_arrays = head.split("<DataArray ").skip(2);
-        let arrays = appended_arrays.map(|tag| {
+        let text = std::str::from_utf8(bytes).unwrap();
+        let binary = text.split("<DataArray ").skip(2);
+        let arrays = binary.map(|tag| {
             let attribute = |name: &str| {
                 let (_, rest) = tag.split_once(&format!("{name}=\"")).unwrap();
                 rest.split_once('"').unwrap().0.to_owned()
             };
-            let offset: usize = attribute("offset").parse().unwrap();
-            let (length, rest) = appended[offset..].split_at(8);
+            assert_eq!(attribute("format"), "binary");
+            let (_, rest) = tag.split_once('>').unwrap();
+            let (encoded, _) = rest.split_once('<').unwrap();
+            let decoded = STANDARD.decode(encoded).unwrap();
+            let (length, values) = decoded.split_at(8);
             let length = u64::from_le_bytes(length.try_into().unwrap()) as usize;
+            assert_eq!(length, values.len());
             Read {
                 name: attribute("Name"),
                 kind: attribute("type"),
-                components: attribute("NumberOfComponents"),
-                values: rest[..length].to_vec(),
+                components: match tag.contains("NumberOfComponents") {
+                    true => attribute("NumberOfComponents"),
+                    false => "1".to_owned(),
+                },
+                values: values.to_vec(),
             }
         });
         arrays.collect()

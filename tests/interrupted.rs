@@ -10,7 +10,7 @@ use std::time::Duration;
 
 use command::{failure, motes, stdout};
 
-/// A run of a second or so that writes all that a run may write: snapshots, a map, a driven wall.
+/// A run of a second or more, so that signals and kills meet it on its way, with snapshots and a map.
 const RUN: [&str; 12] = [
     "run",
     "sedov2d",
@@ -19,9 +19,9 @@ const RUN: [&str; 12] = [
     "--out",
     "out",
     "--set",
-    "output.snapshots.steps=15",
+    "output.snapshots.steps=150",
     "--set",
-    "time.end=0.03",
+    "time.end=0.3",
     "--threads",
     "1",
 ];
@@ -92,7 +92,7 @@ fn a_run_that_is_asked_to_end_keeps_its_state_and_goes_on_to_the_same_files() {
     for signal in ["-INT", "-TERM", "-HUP"] {
         let folder = tempfile::tempdir().unwrap();
         let mut every = RUN.to_vec();
-        every.extend(["--checkpoint-every", "10"]);
+        every.extend(["--checkpoint-every", "20"]);
         let mut run = begun(folder.path(), &every);
         await_checkpoint(&mut run, folder.path(), 0);
         send(signal, &run);
@@ -119,7 +119,7 @@ fn survives(expected: &BTreeMap<PathBuf, Vec<u8>>, kills: u64, seed: u64) {
     while killed < kills {
         let folder = tempfile::tempdir().unwrap();
         let mut every = RUN.to_vec();
-        every.extend(["--checkpoint-every", "7"]);
+        every.extend(["--checkpoint-every", "20"]);
         loop {
             let kept = || folder.path().join("out/checkpoints").read_dir();
             let whole = kept().into_iter().flatten().flatten();
@@ -127,11 +127,18 @@ fn survives(expected: &BTreeMap<PathBuf, Vec<u8>>, kills: u64, seed: u64) {
                 let name = entry.file_name();
                 name.to_string_lossy().ends_with(".motes")
             });
-            let resumed = ["resume", "out", "--threads", "1", "--checkpoint-every", "7"];
+            let resumed = [
+                "resume",
+                "out",
+                "--threads",
+                "1",
+                "--checkpoint-every",
+                "20",
+            ];
             let mut run = begun(folder.path(), if has_any { &resumed } else { &every });
             // Knuth's generator: any moment of the run.
             seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-            std::thread::sleep(Duration::from_micros(seed >> 46));
+            std::thread::sleep(Duration::from_micros(seed >> 44));
             if run.try_wait().unwrap().is_some() {
                 let output = run.wait_with_output().unwrap();
                 let errors = String::from_utf8_lossy(&output.stderr);

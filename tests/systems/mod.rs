@@ -3,6 +3,7 @@
 
 #[path = "../runs/mod.rs"]
 mod runs;
+#[allow(unused_imports, reason = "a test of fixed point uses it")]
 pub use runs::told;
 
 use std::collections::BTreeMap;

@@ -555,6 +555,27 @@ fn a_scenario_of_ones_own_is_written_with_its_files_and_never_over_another() {
     assert_eq!(std::fs::read_to_string(at("tube.toml")).unwrap(), own);
 }
 
+/// Every command is completed by every shell, and stands on the manual page.
+#[test]
+fn shells_and_the_manual_know_the_commands() {
+    let folder = tempfile::tempdir().unwrap();
+    let commands = ["run", "resume", "compare", "converge", "export"];
+    for shell in ["bash", "zsh", "fish"] {
+        let text = stdout(folder.path(), &["completions", shell]);
+        assert!(text.contains("checkpoint-every"), "{shell}");
+        assert!(commands.iter().all(|name| text.contains(name)), "{shell}");
+    }
+    let page = stdout(folder.path(), &["man"]);
+    assert!(page.contains(".TH motes 1"), "{page}");
+    for name in commands {
+        assert!(page.contains(&format!("motes\\-{name}")), "{page}");
+        let page = stdout(folder.path(), &["man", name]);
+        assert!(page.contains(&format!(".TH motes-{name} 1")), "{page}");
+    }
+    let errors = failure(folder.path(), &["man", "fly"], 2);
+    assert!(errors.contains("`fly` is no command"), "{errors}");
+}
+
 #[test]
 fn help_has_examples_and_the_version_is_told() {
     let folder = tempfile::tempdir().unwrap();

@@ -231,6 +231,7 @@ const KNOWN: [(&str, &str, &[&str]); 13] = [
             "mod.rs",
             "new.rs",
             "run.rs",
+            "shell.rs",
             "suite.rs",
         ],
     ),

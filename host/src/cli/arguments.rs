@@ -50,6 +50,16 @@ pub(super) enum Command {
     Export(ExportArguments),
     /// Measure speed: gas dynamics in a jittered periodic box, particle updates a second
     Bench(BenchArguments),
+    /// Print completions for a shell, to be sourced
+    Completions {
+        /// Which
+        shell: clap_complete::Shell,
+    },
+    /// Print a manual page
+    Man {
+        /// Of which command; of the program without
+        command: Option<String>,
+    },
 }
 
 const EXAMPLES: &str = "\

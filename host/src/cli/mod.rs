@@ -10,6 +10,7 @@ mod list;
 mod new;
 mod progress;
 mod run;
+mod shell;
 mod suite;
 mod watch;
 
@@ -57,6 +58,8 @@ pub fn main() -> ExitCode {
         Command::Converge(arguments) => converge::converge(&arguments),
         Command::Compare(arguments) => compare::compare(&arguments),
         Command::Bench(arguments) => bench::bench(&arguments),
+        Command::Completions { shell } => shell::completions(shell),
+        Command::Man { command } => shell::man(command.as_deref()),
     };
     let (report, code) = match result {
         Ok(()) => return ExitCode::SUCCESS,

@@ -6,8 +6,7 @@ use motes::engine::Threads;
 use motes::families::Plan;
 use motes::run::{Control, Keep, Outcome, RunError, Simulation, complete, pass_run, start_plan};
 use motes::scenario::AnyScenario;
-use motes_core::cloud::{Load, Save, Words};
-use motes_core::error::Error;
+use motes_core::cloud::{Remaining, Save, Words};
 use runs::any_scenario;
 
 /// How many times a run is gone on with.
@@ -165,15 +164,6 @@ fn carried(
     complete(&mut *simulation, &mut engine, &mut control)
 }
 
-fn load(mut rest: &[u8]) -> Load<impl FnMut(&mut [u8]) -> Result<(), Error>> {
-    Load(move |bytes: &mut [u8]| {
-        let (first, left) = rest.split_at_checked(bytes.len()).ok_or(Error::Truncated)?;
-        bytes.copy_from_slice(first);
-        rest = left;
-        Ok(())
-    })
-}
-
 /// All that is told of a run, but for the time that it took.
 fn told(outcome: &Outcome) -> String {
     let timeless = Outcome {
@@ -226,7 +216,7 @@ fn a_run_that_is_gone_on_with_has_the_bits_series_and_sums_of_one_that_was_not_i
                 kept.len()
             );
             for (place, words) in kept.iter().enumerate() {
-                let mut words = load(words);
+                let mut words = Remaining(words);
                 let threads = 1 + place % 2;
                 let resumed = carried(&scenario, scalar, threads, None, Some(&mut words));
                 let resumed = resumed.unwrap_or_else(|error| panic!("{}: {error}", run()));

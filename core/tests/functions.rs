@@ -3,7 +3,7 @@
 use motes_core::cloud::{Particle, Place, Still};
 use motes_core::cutoff::QuinticSpline;
 use motes_core::domain::{Axis, Domain};
-use motes_core::equation::diffusion::{Condition, Corners, Peaks};
+use motes_core::equation::diffusion::{Condition, Corners, LargestDiffusivity};
 use motes_core::equation::linear::systems::{Matrices, MatrixField, VariableMatrices};
 use motes_core::equation::linear::{
     Addition, FirstOrderSystem, LinearDynamics, LinearStorage, Sourced,
@@ -41,7 +41,7 @@ fn every_corner_and_middle_is_looked_at_once() {
 
 #[test]
 fn headroom_is_what_is_yet_to_come_over_what_may_be_now() {
-    let peaks = |values| Peaks {
+    let peaks = |values| LargestDiffusivity {
         values,
         duration: 3.0,
         margin: 1.5,

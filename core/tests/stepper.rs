@@ -3,7 +3,7 @@
 
 mod small_tube;
 
-use motes_core::cloud::{Column, ColumnMut, Columns, Load, Particle, Save, Still, Wave};
+use motes_core::cloud::{Column, ColumnMut, Columns, Particle, Remaining, Save, Still, Wave};
 use motes_core::cutoff::{CubicSpline, QuinticSpline};
 use motes_core::domain::{Axis, Domain};
 use motes_core::equation::diffusion::{
@@ -270,16 +270,6 @@ fn saved(pass: impl FnOnce(&mut dyn FnMut(&[u8]) -> Result<(), Error>)) -> Vec<u
     memory
 }
 
-/// Fills words from memory.
-fn from(mut rest: &[u8]) -> Load<impl FnMut(&mut [u8]) -> Result<(), Error>> {
-    Load(move |bytes: &mut [u8]| {
-        let (first, left) = rest.split_at_checked(bytes.len()).ok_or(Error::Truncated)?;
-        bytes.copy_from_slice(first);
-        rest = left;
-        Ok(())
-    })
-}
-
 /// Makes a run, saves it after some steps, loads that into another one at its start, and goes on with both.
 macro_rules! goes_on_with_the_same_bits {
     ($run:expr, $steps:expr) => {
@@ -290,7 +280,7 @@ macro_rules! goes_on_with_the_same_bits {
             }
             let words = saved(|put| first.pass(&mut Save(put)).unwrap());
             let mut second = $run;
-            second.pass(&mut from(&words)).unwrap();
+            second.pass(&mut Remaining(&words)).unwrap();
             assert_eq!(second.clock(), first.clock());
             assert_eq!(second.evaluations(), first.evaluations());
             for _ in 0..5 {
@@ -360,12 +350,12 @@ fn words_that_end_too_soon_or_of_another_cloud_are_refused() {
     let words = saved(|put| run.pass(&mut Save(put)).unwrap());
     let fresh = || Stepper::new(line(), RK4, HalfLoop, line_memory()).unwrap();
     for length in 0..words.len() {
-        let short = fresh().pass(&mut from(&words[..length]));
+        let short = fresh().pass(&mut Remaining(&words[..length]));
         assert_eq!(short, Err(Error::Truncated), "{length}");
     }
     let mut smaller = fresh();
     smaller.swap_remove(5);
-    assert_eq!(smaller.pass(&mut from(&words)), Err(Error::Lengths));
+    assert_eq!(smaller.pass(&mut Remaining(&words)), Err(Error::Lengths));
     assert!(Error::Truncated.to_string().contains("too small"));
 }
 

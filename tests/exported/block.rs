@@ -18,7 +18,7 @@ use motes_core::cutoff::Named as CutOff;
 use motes_core::domain::{Axis, Domain, Side};
 use motes_core::equation::diffusion::{
     Condition, Conductor, DiffusionDynamics, DiffusionProblem, DiffusionStorage, Drive,
-    DrivenCondition, Form, Lists, Mean, Modulation, NamedProblem, Peaks, Reaction,
+    DrivenCondition, Form, LargestDiffusivity, Lists, Mean, Modulation, NamedProblem, Reaction,
 };
 use motes_core::equation::linear::systems::Units;
 use motes_core::equation::linear::{Particle, Place, Still};
@@ -79,7 +79,7 @@ pub const FRAME: Frame = Frame {
 };
 
 /// The largest diffusivity of the domain, in the scenario's units.
-const PEAKS: Peaks<'static> = Peaks {
+const PEAKS: LargestDiffusivity<'static> = LargestDiffusivity {
     values: &[0.15000000000000002, 0.11872892787909722, 0.09723665527410147, 0.08246524673583497, 0.07231301601484298, 0.06533549668449284, 0.06053992245618644, 0.05724397570342515, 0.0549787068367864],
     duration: 3.0,
     margin: 1.25,

@@ -17,8 +17,9 @@ use motes_core::cloud::Frame;
 use motes_core::cutoff::Named as CutOff;
 use motes_core::domain::{Axis, Domain, Side};
 use motes_core::equation::diffusion::{
-    Arguments, Condition, Conductor, Corners, DiffusionDynamics, DiffusionProblem, DirectStorage,
-    Drive, DrivenCondition, Form, Lists, Mean, Modulation, NamedProblem, Peaks, Reaction,
+    Condition, Conductor, Corners, DiffusionDynamics, DiffusionProblem, DirectStorage, Drive,
+    DrivenCondition, Form, LargestDiffusivity, Lists, Mean, Modulation, NamedProblem, Reaction,
+    ReactionPoint,
 };
 use motes_core::equation::linear::systems::Units;
 use motes_core::equation::linear::{Particle, Place, VelocityField};
@@ -72,14 +73,14 @@ pub const FRAME: Frame = Frame {
 };
 
 /// The largest diffusivity of the domain, in the scenario's units.
-const PEAKS: Peaks<'static> = Peaks {
+const PEAKS: LargestDiffusivity<'static> = LargestDiffusivity {
     values: &[0.02, 0.021986693307950615, 0.023894183423086503, 0.025646424733950353, 0.027173560908995226, 0.028414709848078968, 0.029320390859672262, 0.029854497299884604, 0.02999573603041505],
     duration: 0.4,
     margin: 1.25,
 };
 
 /// The rates of the reaction at a place, a time and unknowns, in the scenario's units.
-fn rates(&[_, _, _, t, u0, u1, u2, _]: &Arguments) -> [f64; 3] {
+fn rates(&[_, _, _, t, u0, u1, u2, _]: &ReactionPoint) -> [f64; 3] {
     [
         -2.0 * u0 * u1 + 0.1 * libm::sin(t),
         -2.0 * u0 * u1,

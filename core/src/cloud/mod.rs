@@ -26,4 +26,4 @@ pub(crate) use storage::{CloudParts, CloudStorage};
 pub use velocity::{
     Compression, Named as NamedField, Rotation, Shear, Still, Uniform, VelocityField, Wave,
 };
-pub use words::{Load, Save, Words};
+pub use words::{Load, Remaining, Save, Words};

@@ -1,6 +1,6 @@
 //! Memory that keeps a run over a reset.
 
-use super::words::{Load, Save, Words};
+use super::words::{Remaining, Save, Words};
 use crate::digest::Digester;
 use crate::error::Error;
 
@@ -81,13 +81,8 @@ impl<const B: usize> Slot<B> {
         pass: impl FnOnce(&mut dyn Words) -> Result<(), Error>,
     ) -> Result<(), Error> {
         self.number().ok_or(Error::Truncated)?;
-        let mut rest = self.held().ok_or(Error::Truncated)?;
-        pass(&mut Load(|bytes: &mut [u8]| {
-            let (first, left) = rest.split_at_checked(bytes.len()).ok_or(Error::Truncated)?;
-            bytes.copy_from_slice(first);
-            rest = left;
-            Ok(())
-        }))
+        let held = self.held().ok_or(Error::Truncated)?;
+        pass(&mut Remaining(held))
     }
 
     /// The number that it was saved under; `None` where it is not whole.

@@ -48,6 +48,23 @@ impl<F: FnMut(&mut [u8]) -> Result<(), Error>> Words for Load<F> {
     }
 }
 
+/// Words in memory that have not been read yet.
+#[derive(Clone, Copy, Debug)]
+pub struct Remaining<'a>(pub &'a [u8]);
+
+impl Words for Remaining<'_> {
+    fn word(&mut self, bytes: &mut [u8]) -> Result<(), Error> {
+        let split = self.0.split_at_checked(bytes.len());
+        let (first, rest) = split.ok_or(Error::Truncated)?;
+        bytes.copy_from_slice(first);
+        self.0 = rest;
+        Ok(())
+    }
+    fn fills(&self) -> bool {
+        true
+    }
+}
+
 impl dyn Words + '_ {
     /// Passes a scalar: [`Scalar::BYTES`] bytes.
     pub fn scalar<S: Scalar>(&mut self, value: &mut S) -> Result<(), Error> {
@@ -151,13 +168,7 @@ mod tests {
         words.wide::<S>(&mut w).unwrap();
         words.count(&mut n).unwrap();
         assert_eq!(used, 3 * S::BYTES + 8);
-        let mut rest = memory.get(..used).unwrap();
-        let mut take = Load(|bytes: &mut [u8]| {
-            let (first, left) = rest.split_at_checked(bytes.len()).ok_or(Error::Truncated)?;
-            bytes.copy_from_slice(first);
-            rest = left;
-            Ok(())
-        });
+        let mut take = Remaining(memory.get(..used).unwrap());
         let words: &mut dyn Words = &mut take;
         let (mut v, mut w, mut n) = (S::ZERO, S::NOTHING, 0);
         words.scalar(&mut v).unwrap();

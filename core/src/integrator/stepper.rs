@@ -135,7 +135,7 @@ where
     /// many particles. It goes on with the bits that it would have had.
     ///
     /// ```
-    /// # use motes_core::{cloud::{Load, Save}, cutoff::QuinticSpline, domain::{Axis, Domain}, error::Error};
+    /// # use motes_core::{cloud::{Remaining, Save}, cutoff::QuinticSpline, domain::{Axis, Domain}, error::Error};
     /// # use motes_core::equation::linear::{LinearDynamics, LinearStorage, Particle, Still};
     /// # use motes_core::equation::linear::systems::{Acoustics, Units};
     /// # use motes_core::{integrator::{RK4, Stepper}, neighbours::cell_bound, pairs::{HalfLoop, Nothing}};
@@ -158,13 +158,8 @@ where
     ///     Ok(())
     /// }))?;
     /// line.advance_to(2.0)?;
-    /// let (there, mut rest) = (line.state().digest(), &memory[..used]);
-    /// line.pass(&mut Load(|bytes: &mut [u8]| {
-    ///     let (first, left) = rest.split_at_checked(bytes.len()).ok_or(Error::Truncated)?;
-    ///     bytes.copy_from_slice(first);
-    ///     rest = left;
-    ///     Ok(())
-    /// }))?;
+    /// let there = line.state().digest();
+    /// line.pass(&mut Remaining(&memory[..used]))?;
     /// line.advance_to(2.0)?;
     /// assert_eq!(line.state().digest(), there);
     /// # Ok::<(), Error>(())

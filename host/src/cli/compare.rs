@@ -62,7 +62,7 @@ pub(super) fn compare(arguments: &CompareArguments) -> Result<(), Failure> {
 
     bar.reset();
     bar.set_message(format!("{} in {} formats", scenario.name(), scalars.len()));
-    let runs = Runs {
+    let runs = SideBySide {
         scenario: &scenario,
         plan,
         exact: exact.map(Arc::from),
@@ -194,8 +194,8 @@ fn compared(
     }
 }
 
-/// What the runs share.
-struct Runs<'a> {
+/// What the runs share, side by side.
+struct SideBySide<'a> {
     scenario: &'a AnyScenario,
     plan: Plan,
     exact: Option<Arc<dyn Solution>>,
@@ -206,7 +206,7 @@ struct Runs<'a> {
     interrupt: Interrupt,
 }
 
-impl Runs<'_> {
+impl SideBySide<'_> {
     /// Runs in a format, and keeps what is compared.
     fn run(
         &self,

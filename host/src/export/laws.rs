@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use motes_core::equation::diffusion::Peaks;
+use motes_core::equation::diffusion::LargestDiffusivity;
 
 use super::expressions::Expressions;
 use super::module::{Module, literal};
@@ -72,19 +72,19 @@ fn diffusivity(formulas: &Formulas, row: usize) -> String {
 }
 
 /// The body of the headroom.
-fn headroom(module: &mut Module, peaks: Peaks<'_>) -> String {
+fn headroom(module: &mut Module, peaks: LargestDiffusivity<'_>) -> String {
     if peaks.values.is_empty() {
         return "        self.named.modulation.headroom(time)\n".to_owned();
     }
-    module.import(DIFFUSION, ["Peaks"]);
-    let Peaks {
+    module.import(DIFFUSION, ["LargestDiffusivity"]);
+    let LargestDiffusivity {
         values,
         duration,
         margin,
     } = peaks;
     module.item(format!(
         "/// The largest diffusivity of the domain, in the scenario's units.
-const PEAKS: Peaks<'static> = Peaks {{
+const PEAKS: LargestDiffusivity<'static> = LargestDiffusivity {{
     values: &{values:?},
     duration: {duration:?},
     margin: {margin:?},
@@ -110,12 +110,12 @@ fn reaction<const P: usize>(module: &mut Module, formulas: &Formulas) -> (String
             .to_owned(),
         );
     }
-    module.import(DIFFUSION, ["Arguments", "Corners"]);
+    module.import(DIFFUSION, ["ReactionPoint", "Corners"]);
     let of = Expressions::of(&formulas.rates);
     let corners = formulas.corners;
     module.item(format!(
         "/// The rates of the reaction at a place, a time and unknowns, in the scenario's units.
-fn rates(&{pattern}: &Arguments) -> [f64; {count}] {{
+fn rates(&{pattern}: &ReactionPoint) -> [f64; {count}] {{
     [
 {rates}    ]
 }}

@@ -15,7 +15,7 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use motes_core::cloud::{Save, Words};
+use motes_core::cloud::{Remaining, Save, Words};
 use motes_core::error::Error;
 use serde::{Deserialize, Serialize};
 use xxhash_rust::xxh64::{Xxh64, xxh64};
@@ -213,23 +213,6 @@ impl Checkpoint {
     /// Bytes of the whole file.
     pub fn size(&self) -> usize {
         self.bytes.len()
-    }
-}
-
-/// Words in memory that have not been read yet.
-#[derive(Clone, Copy, Debug)]
-pub struct Remaining<'a>(&'a [u8]);
-
-impl Words for Remaining<'_> {
-    fn word(&mut self, bytes: &mut [u8]) -> Result<(), Error> {
-        let split = self.0.split_at_checked(bytes.len());
-        let (first, rest) = split.ok_or(Error::Truncated)?;
-        bytes.copy_from_slice(first);
-        self.0 = rest;
-        Ok(())
-    }
-    fn fills(&self) -> bool {
-        true
     }
 }
 

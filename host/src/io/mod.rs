@@ -9,9 +9,7 @@ mod series;
 mod table;
 mod vtu;
 
-pub use checkpoint::{
-    Checkpoint, CheckpointError, Header, Input, Origin, Remaining, write_checkpoint,
-};
+pub use checkpoint::{Checkpoint, CheckpointError, Header, Input, Origin, write_checkpoint};
 pub use folder::{FolderError, RunFolder};
 pub use formats::write_formats;
 pub use levels::write_levels;

@@ -68,34 +68,34 @@ impl Cloud<'_> {
             });
         };
         for (name, values) in self.scalars {
-            add(Part::PointData, *name, 1, Values::Floats(values));
+            add(GridPart::PointData, *name, 1, Numbers::Floats(values));
         }
         for (name, values) in self.vectors {
             let values = values.as_flattened();
-            add(Part::PointData, *name, 3, Values::Floats(values));
+            add(GridPart::PointData, *name, 3, Numbers::Floats(values));
         }
         for (name, values) in self.integers {
-            add(Part::PointData, *name, 1, Values::Integers(values));
+            add(GridPart::PointData, *name, 1, Numbers::Integers(values));
         }
         let positions = self.positions.as_flattened();
-        add(Part::Points, "Points", 3, Values::Floats(positions));
+        add(GridPart::Points, "Points", 3, Numbers::Floats(positions));
         let n = self.positions.len() as u64;
-        add(Part::Cells, "connectivity", 1, Values::Count(0..n));
-        add(Part::Cells, "offsets", 1, Values::Count(1..n + 1));
-        add(Part::Cells, "types", 1, Values::Vertices(n));
+        add(GridPart::Cells, "connectivity", 1, Numbers::Count(0..n));
+        add(GridPart::Cells, "offsets", 1, Numbers::Count(1..n + 1));
+        add(GridPart::Cells, "types", 1, Numbers::Vertices(n));
         arrays
     }
 }
 
 /// A part of a piece of a grid.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Part {
+enum GridPart {
     PointData,
     Points,
     Cells,
 }
 
-impl Part {
+impl GridPart {
     const ALL: [Self; 3] = [Self::PointData, Self::Points, Self::Cells];
 
     fn tag(self) -> &'static str {
@@ -109,14 +109,14 @@ impl Part {
 
 /// An array of the file.
 struct Array<'a> {
-    part: Part,
+    part: GridPart,
     name: &'a str,
     components: usize,
-    values: Values<'a>,
+    values: Numbers<'a>,
 }
 
 /// What an array holds.
-enum Values<'a> {
+enum Numbers<'a> {
     Floats(&'a [f64]),
     Integers(&'a [u32]),
     /// Whole numbers one after the other.
@@ -125,7 +125,7 @@ enum Values<'a> {
     Vertices(u64),
 }
 
-impl Values<'_> {
+impl Numbers<'_> {
     /// The name of their type.
     fn kind(&self) -> &'static str {
         match self {
@@ -188,7 +188,7 @@ fn write_grid(file: &mut impl Write, cloud: &Cloud<'_>) -> std::io::Result<()> {
          format=\"ascii\">{time:?}</DataArray></FieldData>\n\
          <Piece NumberOfPoints=\"{n}\" NumberOfCells=\"{n}\">\n"
     )?;
-    for part in Part::ALL {
+    for part in GridPart::ALL {
         writeln!(file, "<{}>", part.tag())?;
         for array in arrays.iter().filter(|array| array.part == part) {
             let (kind, name) = (array.values.kind(), escaped(array.name));

@@ -2,7 +2,7 @@
 
 use motes_core::cloud::{Frame, Place};
 use motes_core::equation::diffusion::{
-    Arguments, Condition, Corners, DiffusionProblem, NamedProblem, Peaks,
+    Condition, Corners, DiffusionProblem, LargestDiffusivity, NamedProblem, ReactionPoint,
 };
 use motes_core::scalar::Scalar;
 
@@ -141,8 +141,8 @@ impl Formulas {
     }
 
     /// The largest diffusivities.
-    pub fn peaks(&self) -> Peaks<'_> {
-        Peaks {
+    pub fn peaks(&self) -> LargestDiffusivity<'_> {
+        LargestDiffusivity {
             values: &self.peaks,
             duration: self.duration,
             margin: BETWEEN,
@@ -203,7 +203,7 @@ impl<S: Scalar, const D: usize, const P: usize> DiffusionProblem<S, D, P>
         if formulas.rates.is_empty() {
             return self.named.reaction(place, u);
         }
-        let mut point: Arguments = [0.0; 8];
+        let mut point: ReactionPoint = [0.0; 8];
         point[..BEFORE].copy_from_slice(&formulas.frame.point(place));
         for (slot, u) in point[BEFORE..].iter_mut().zip(u) {
             *slot = u.to_f64();

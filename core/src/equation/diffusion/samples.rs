@@ -1,8 +1,8 @@
-//! What a problem of functions is known to be: where it was looked at before a run.
+//! What is known of a problem of functions: samples of it, taken before a run.
 
 /// The largest diffusivity of a domain at equally spaced times, from 0 to the end of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Peaks<'a> {
+pub struct LargestDiffusivity<'a> {
     /// Each, >= 0; none where the diffusivity does not depend on the time.
     pub values: &'a [f64],
     /// The time of the last one.
@@ -11,7 +11,7 @@ pub struct Peaks<'a> {
     pub margin: f64,
 }
 
-impl Peaks<'_> {
+impl LargestDiffusivity<'_> {
     /// By what factor the largest diffusivity may yet exceed that of a time.
     pub fn headroom(&self, time: f64) -> f64 {
         let Some(last) = self.values.len().checked_sub(1) else {
@@ -33,7 +33,7 @@ impl Peaks<'_> {
 }
 
 /// Numbers that a function of place, time and unknowns is given: `x, y, z, t`, then up to four unknowns.
-pub type Arguments = [f64; 8];
+pub type ReactionPoint = [f64; 8];
 
 /// Corners and middles of a domain, of the time of a run, and of unknowns up to a size: where a reaction
 /// that is a function is looked at.
@@ -53,7 +53,7 @@ pub struct Corners {
 
 impl Corners {
     /// Calls a function at each of them.
-    pub fn each(&self, size: f64, mut of: impl FnMut(&Arguments)) {
+    pub fn each(&self, size: f64, mut of: impl FnMut(&ReactionPoint)) {
         let mut corners = 3usize;
         for _ in 0..self.dimension.saturating_add(self.species) {
             corners = corners.saturating_mul(3);
